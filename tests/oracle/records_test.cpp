@@ -68,6 +68,20 @@ TEST_P(Records, MakeTheSameTopologyInAnotherPlace) {
     EXPECT_EQ(copy.tables(), mesh.topology.tables());
 }
 
+TEST(RecordsOfCollapsedCells, AreReadAgain) {
+    Polyhedra input = hexahedra({{2, 1, 1}});
+    for (std::size_t corner = input.face_offset[input.cell_offset[1]]; corner < input.face_vertex.size(); ++corner)
+        input.face_vertex[corner] = 3; // the second cell is a point
+    const KernelMesh mesh(input);
+    ASSERT_EQ(mesh.topology.counts().cells, 2U);
+    const std::vector<float> values = random_field(mesh.topology.counts().vertices, 11);
+    const Topology copy = read_back(std::make_unique<CopiedRecords>(mesh.topology));
+    EXPECT_EQ(all_operators(copy), all_operators(mesh.topology));
+    EXPECT_EQ(
+        bit_difference(cut_in_all_ways(copy, mesh.mesh(), values), cut_in_all_ways(mesh.topology, mesh.mesh(), values)),
+        "");
+}
+
 // Gives the sections with the parts of corners an unknown id, so that readers skip them. Records of earlier versions
 // have no such sections. Returns the number of sections.
 std::size_t hide_corner_parts(CopiedRecords& copied) {

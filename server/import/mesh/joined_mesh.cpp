@@ -56,10 +56,17 @@ private:
         return mesh_.members[member_].first_point + static_cast<ciel::Index>(id);
     }
 
+    // `end`: number of faces or corners of all cells. `offset` stays empty until a cell has one.
+    void end_cell(std::size_t end, std::vector<std::uint64_t>& offset) const {
+        if (end == 0) return;
+        if (offset.empty()) offset.reserve(mesh_.cell_types.capacity() + 1);
+        offset.resize(mesh_.cell_types.size(), 0);
+        offset.push_back(end);
+    }
     void close_cell(ciel::CellType type, vtkIdType cell) {
         mesh_.cell_types.push_back(static_cast<std::uint8_t>(type));
-        mesh_.cell_offset.push_back(mesh_.face_offset.size() - 1);
-        mesh_.corner_offset.push_back(mesh_.corner.size());
+        end_cell(mesh_.face_offset.size() - 1, mesh_.cell_offset);
+        end_cell(mesh_.corner.size(), mesh_.corner_offset);
         mesh_.source_cell.push_back(mesh_.members[member_].first_cell + static_cast<ciel::Index>(cell));
     }
 
@@ -233,21 +240,43 @@ void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
     mesh.point_count = static_cast<ciel::Index>(points);
 }
 
+struct ListedFaces {
+    std::size_t count = 0, corners = 0;
+};
+
+// Adds the faces in VTK's face streams of polyhedra, one after the other. A damaged stream ends the count.
+void count_faces(vtkUnstructuredGrid* grid, ListedFaces& faces) {
+    vtkIdTypeArray* streams = grid->GetFaces();
+    const vtkIdType size = streams == nullptr ? 0 : streams->GetNumberOfValues();
+    for (vtkIdType at = 0; at < size;) {
+        vtkIdType left = streams->GetValue(at++);
+        for (; left > 0 && at < size; --left) {
+            const vtkIdType corners = streams->GetValue(at++);
+            if (corners < 0 || corners > size - at) return;
+            ++faces.count;
+            faces.corners += static_cast<std::size_t>(corners);
+            at += corners;
+        }
+    }
+}
+
 // Vectors that grow would take up to three times their size.
 void reserve_cells(JoinedMesh& mesh) {
     std::size_t cells = 0, corners = 0;
+    ListedFaces faces;
     for (const JoinedMesh::Member& member : mesh.members) {
         const auto of_member = static_cast<std::size_t>(member.data->GetNumberOfCells());
         cells += of_member;
         auto* grid = vtkUnstructuredGrid::SafeDownCast(member.data);
         const bool is_listed = grid != nullptr && grid->GetCells() != nullptr;
         corners += is_listed ? static_cast<std::size_t>(grid->GetCells()->GetNumberOfConnectivityIds()) : 8 * of_member;
+        if (grid != nullptr) count_faces(grid, faces);
     }
     mesh.cell_types.reserve(cells);
-    mesh.cell_offset.reserve(cells + 1);
-    mesh.corner_offset.reserve(cells + 1);
     mesh.source_cell.reserve(cells);
     mesh.corner.reserve(corners);
+    mesh.face_offset.reserve(faces.count + 1);
+    mesh.face_vertex.reserve(faces.corners);
 }
 
 void check_finite(const JoinedMesh& mesh) {

@@ -37,7 +37,7 @@ struct JoinedMesh {
     store::Values positions; // x, y, z of each running point, equal to the numbers in the input
     // As in PolyhedraView. Standard cells list their corners, except cells that the input gives as polyhedra.
     std::vector<std::uint8_t> cell_types;
-    std::vector<std::uint64_t> cell_offset{0}, face_offset{0}, corner_offset{0};
+    std::vector<std::uint64_t> cell_offset, face_offset{0}, corner_offset;
     std::vector<ciel::Index> face_vertex, corner;
     std::vector<ciel::Index> source_cell; // cell of the joined mesh -> running cell
 
@@ -51,13 +51,13 @@ struct JoinedMesh {
         static thread_local std::vector<ciel::Index> vertex;
         offset.assign(1, 0);
         vertex.clear();
-        const std::uint64_t corners = corner_offset[cell + 1] - corner_offset[cell];
+        const std::uint64_t corners = corner_offset.empty() ? 0 : corner_offset[cell + 1] - corner_offset[cell];
         if (corners > 0) {
             ciel::append_standard_faces(static_cast<ciel::CellType>(cell_types[cell]),
                                         std::span(corner).subspan(corner_offset[cell], corners), offset, vertex);
             for (std::size_t face = 0; face + 1 < offset.size(); ++face)
                 f(std::span<const ciel::Index>(vertex).subspan(offset[face], offset[face + 1] - offset[face]));
-        } else {
+        } else if (!cell_offset.empty()) {
             for (std::uint64_t face = cell_offset[cell]; face < cell_offset[cell + 1]; ++face)
                 f(std::span(face_vertex).subspan(face_offset[face], face_offset[face + 1] - face_offset[face]));
         }

@@ -19,9 +19,10 @@ namespace ciel {
 // A face with fewer than three vertices is ignored. The other faces of the cell decide whether the cell is kept.
 struct PolyhedraView {
     Vec3d origin{};
-    ValuesView positions;                       // 3 V: x, y, z of each vertex, as offsets from `origin`
-    std::span<const std::uint8_t> cell_types;   // C: a CellType for each cell
-    std::span<const std::uint64_t> cell_offset; // C + 1: cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1
+    ValuesView positions;                     // 3 V: x, y, z of each vertex, as offsets from `origin`
+    std::span<const std::uint8_t> cell_types; // C: a CellType for each cell
+    // C + 1: cell c has the faces cell_offset[c] to cell_offset[c + 1] - 1; empty if no cell lists faces
+    std::span<const std::uint64_t> cell_offset;
     std::span<const std::uint64_t> face_offset; // F + 1: index of the first vertex of face f in face_vertex
     std::span<const Index> face_vertex;
     // C + 1: index of the first corner of cell c in `corner`; empty if all cells list their faces. A cell with corners

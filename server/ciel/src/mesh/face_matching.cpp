@@ -14,27 +14,27 @@ namespace ciel::detail {
 
 namespace {
 
-constexpr std::size_t faces_per_task = 16384, vertices_per_task = 4096;
+constexpr std::size_t cells_per_task = 4096, vertices_per_task = 4096;
 
 std::uint32_t mix(Index v) { return static_cast<std::uint32_t>((v + 1ULL) * 0x9E3779B97F4A7C15ULL >> 32); }
 
 // The faces whose smallest vertex is v are face[begin[v]] to face[begin[v + 1] - 1], ascending.
 struct FacesByVertex {
-    std::vector<std::uint64_t> begin;
-    std::vector<Index> face;
+    std::vector<Index> begin, face;
 };
 
 // `scratch`: one element for each face. Leaves out faces that collapsed to a line or a point, which do not separate
-// cells, and faces without a cell. They stay on the boundary.
-FacesByVertex group_faces(const InputFaces& input, std::span<const Index> cell_of_face, std::span<Index> scratch) {
-    parallel_for(scratch.size(), faces_per_task, [&](std::size_t first, std::size_t last) {
+// cells, and faces of cells that are left out. They stay on the boundary.
+FacesByVertex group_faces(const InputFaces& input, std::span<const std::uint8_t> left_out, std::span<Index> scratch) {
+    parallel_for(input.cell_count(), cells_per_task, [&](std::size_t first, std::size_t last) {
         std::vector<Index> loop;
         InputFaces::Corners corners;
-        for (auto f = static_cast<Index>(first); f < last; ++f) {
-            loop.clear();
-            if (cell_of_face[f] != none) append_without_repeats(input.loop(cell_of_face[f], f, corners), loop);
-            scratch[f] = loop.size() < 3 ? none : *std::ranges::min_element(loop);
-        }
+        for (auto cell = static_cast<Index>(first); cell < last; ++cell)
+            for (Index face = input.begin(cell); face < input.end(cell); ++face) {
+                loop.clear();
+                if (left_out[cell] == 0) append_without_repeats(input.loop(cell, face, corners), loop);
+                scratch[face] = loop.size() < 3 ? none : *std::ranges::min_element(loop);
+            }
     });
     FacesByVertex out;
     out.begin.assign(std::size_t{input.vertex_count()} + 1, 0);
@@ -42,7 +42,7 @@ FacesByVertex group_faces(const InputFaces& input, std::span<const Index> cell_o
         if (smallest != none) ++out.begin[std::size_t{smallest} + 1];
     for (std::size_t v = 1; v < out.begin.size(); ++v) out.begin[v] += out.begin[v - 1];
     out.face.resize(out.begin.back());
-    std::vector<std::uint64_t> cursor(out.begin.begin(), out.begin.end() - 1);
+    std::vector<Index> cursor(out.begin.begin(), out.begin.end() - 1);
     for (Index f = 0; f < scratch.size(); ++f)
         if (scratch[f] != none) out.face[cursor[scratch[f]]++] = f;
     return out;
@@ -51,18 +51,17 @@ FacesByVertex group_faces(const InputFaces& input, std::span<const Index> cell_o
 // Loops of faces without repeated vertices. Each thread needs its own object.
 class Loops {
 public:
-    Loops(const InputFaces& input, std::span<const Index> cell_of_face) : input_(input), cell_of_face_(cell_of_face) {}
+    explicit Loops(const InputFaces& input) : input_(input) {}
 
     // Sets `loop` to the loop of the face.
     void read(Index face, std::vector<Index>& loop) {
         loop.clear();
-        append_without_repeats(input_.loop(cell_of_face_[face], face, corners_), loop);
+        append_without_repeats(input_.loop(input_.cell_of(face), face, corners_), loop);
     }
     [[nodiscard]] Relation compare(Index a, Index b);
 
 private:
     const InputFaces& input_;
-    std::span<const Index> cell_of_face_;
     InputFaces::Corners corners_{};
     std::vector<Index> loop_a_, loop_b_;
 };
@@ -129,7 +128,7 @@ void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
 
 class Matcher {
 public:
-    Matcher(const InputFaces& input, CellOfFace faces) : input_(input), faces_(faces), loops_(input, faces.cell) {}
+    Matcher(const InputFaces& input, JudgedCells cells) : input_(input), cells_(cells), loops_(input) {}
 
     MatchedFaces run();
 
@@ -145,7 +144,7 @@ private:
     void settle_crowd(const std::vector<Index>& group);
 
     const InputFaces& input_;
-    CellOfFace faces_;
+    JudgedCells cells_;
     MatchedFaces result_;
     std::vector<std::vector<Index>> crowds_; // groups of more than two equal faces
     Loops loops_;
@@ -158,7 +157,7 @@ private:
 };
 
 bool Matcher::wound_alike(Index a, Index b) {
-    return (loops_.compare(a, b) == Relation::same_direction) == (faces_.turn[a] == faces_.turn[b]);
+    return (loops_.compare(a, b) == Relation::same_direction) == (cells_.turn[a] == cells_.turn[b]);
 }
 
 void Matcher::match(Index a, Index b) {
@@ -179,8 +178,8 @@ void Matcher::agree_across_faces() {
     divide_into_units(conflicts);
     for (const Index f : conflicts)
         if (parity_[unit_of_face_[f]] == 0) spread_from(unit_of_face_[f]);
-    for (std::size_t f = 0; f < faces_.cell.size(); ++f)
-        if (faces_.cell[f] != none && parity_[unit_of_face_[f]] == 2) faces_.turn[f] ^= 1;
+    for (std::size_t f = 0; f < unit_of_face_.size(); ++f)
+        if (unit_of_face_[f] != none && parity_[unit_of_face_[f]] == 2) cells_.turn[f] ^= 1;
     for (const Index f : conflicts)
         if (disagree(f)) { // a one-sided (Moebius) ring of cells is cut at this face
             result_.partner[result_.partner[f]] = none;
@@ -190,17 +189,20 @@ void Matcher::agree_across_faces() {
 }
 
 void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
-    unit_of_face_.assign(faces_.cell.begin(), faces_.cell.end());
-    cell_of_unit_.resize(faces_.volume.size());
+    unit_of_face_.assign(input_.face_count(), none);
+    for (Index cell = 0; cell < input_.cell_count(); ++cell)
+        if (cells_.left_out[cell] == 0)
+            std::fill_n(unit_of_face_.begin() + input_.begin(cell), input_.end(cell) - input_.begin(cell), cell);
+    cell_of_unit_.resize(input_.cell_count());
     for (Index c = 0; c < cell_of_unit_.size(); ++c) cell_of_unit_[c] = c;
     std::vector<Index> cells;
     for (const Index f : conflicts) {
-        cells.push_back(faces_.cell[f]);
-        cells.push_back(faces_.cell[result_.partner[f]]);
+        cells.push_back(input_.cell_of(f));
+        cells.push_back(input_.cell_of(result_.partner[f]));
     }
     std::ranges::sort(cells);
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    divided_.assign(faces_.volume.size(), 0);
+    divided_.assign(cells_.volume.size(), 0);
     CellWinding winding(input_);
     for (const Index cell : cells) {
         const std::vector<Index> lobes = winding.lobes(cell);
@@ -234,13 +236,13 @@ void Matcher::spread_from(Index start) {
     }
     double balance = 0;
     for (const Index unit : component) {
-        const double volume = unit < faces_.volume.size() ? faces_.volume[unit] : 0;
+        const double volume = unit < cells_.volume.size() ? cells_.volume[unit] : 0;
         balance += parity_[unit] == 1 ? volume : -volume;
     }
     for (const Index unit : component) {
         if (balance < 0) parity_[unit] = static_cast<std::uint8_t>(3 - parity_[unit]);
         if (!consistent) parity_[unit] = 1;
-        if (parity_[unit] == 2 && !divided_[cell_of_unit_[unit]] && faces_.volume[unit] > 0)
+        if (parity_[unit] == 2 && !divided_[cell_of_unit_[unit]] && cells_.volume[unit] > 0)
             result_.inverted_cells.push_back(unit);
     }
 }
@@ -251,7 +253,7 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;
     for (std::size_t i = 0; i < group.size(); ++i) { // the faces of one cell are consecutive in `group`
-        const bool twice = i + 1 < group.size() && faces_.cell[group[i]] == faces_.cell[group[i + 1]];
+        const bool twice = i + 1 < group.size() && input_.cell_of(group[i]) == input_.cell_of(group[i + 1]);
         if (!twice) {
             single.push_back(group[i]);
         } else {
@@ -279,12 +281,12 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
 std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)
-        for (const Index f : crowd) out.push_back(faces_.cell[f]);
+        for (const Index f : crowd) out.push_back(input_.cell_of(f));
     for (Index cell = 0; cell < input_.cell_count(); ++cell) {
         Index other = none;
         for (Index f = input_.begin(cell); f < input_.end(cell); ++f) {
             if (result_.partner[f] == none) continue;
-            const Index behind = faces_.cell[result_.partner[f]];
+            const Index behind = input_.cell_of(result_.partner[f]);
             if (behind == other) out.push_back(cell);
             if (other != none) break; // only the first two matched faces are compared
             other = behind;
@@ -297,15 +299,14 @@ std::vector<Index> Matcher::suspects() const {
 
 bool Matcher::leave_out_repeated_cells() {
     result_.repeated_cells = repeated_cells(input_, suspects());
-    for (const Index cell : result_.repeated_cells)
-        std::ranges::fill(faces_.cell.subspan(input_.begin(cell), input_.end(cell) - input_.begin(cell)), none);
+    for (const Index cell : result_.repeated_cells) cells_.left_out[cell] = 1;
     return !result_.repeated_cells.empty();
 }
 
 void Matcher::pair_faces() {
     std::vector<Index>& partner = result_.partner;
-    partner.resize(faces_.cell.size());
-    const FacesByVertex faces = group_faces(input_, faces_.cell, partner);
+    partner.resize(input_.face_count());
+    const FacesByVertex faces = group_faces(input_, cells_.left_out, partner);
     std::ranges::fill(partner, none);
     std::vector<std::pair<std::size_t, std::vector<std::vector<Index>>>> crowds; // (first vertex, crowds of a task)
     Mutex mutex;
@@ -317,7 +318,7 @@ void Matcher::pair_faces() {
                              [&](const std::vector<Index>& group) {
                                  if (group.size() > 2)
                                      of_task.push_back(group);
-                                 else if (faces_.cell[group[0]] != faces_.cell[group[1]])
+                                 else if (input_.cell_of(group[0]) != input_.cell_of(group[1]))
                                      match(group[0], group[1]);
                              });
         if (of_task.empty()) return;
@@ -340,6 +341,6 @@ MatchedFaces Matcher::run() {
 
 } // namespace
 
-MatchedFaces match_faces(const InputFaces& input, CellOfFace faces) { return Matcher(input, faces).run(); }
+MatchedFaces match_faces(const InputFaces& input, JudgedCells cells) { return Matcher(input, cells).run(); }
 
 } // namespace ciel::detail

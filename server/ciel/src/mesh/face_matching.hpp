@@ -5,11 +5,10 @@
 
 namespace ciel::detail {
 
-struct CellOfFace {
-    std::span<Index> cell;          // input face -> input cell; none if the cell is left out. match_faces also sets
-                                    // none for the faces of repeated cells.
-    std::span<const double> volume; // input cell -> its volume, >= 0
-    std::span<std::uint8_t> turn;   // input face -> 1 if reversed when stored; match_faces may change it
+struct JudgedCells {
+    std::span<std::uint8_t> left_out; // input cell -> 1 if it is left out; match_faces also sets it for repeated cells
+    std::span<const double> volume;   // input cell -> its volume, >= 0
+    std::span<std::uint8_t> turn;     // input face -> 1 if reversed when stored; match_faces may change it
 };
 
 struct MatchedFaces {
@@ -21,6 +20,6 @@ struct MatchedFaces {
 
 // Takes linear time: a face is compared only with faces that have the same smallest vertex. Sets `turn` so that the
 // loops of two matched faces have opposite directions after the marked faces are reversed.
-[[nodiscard]] MatchedFaces match_faces(const InputFaces& input, CellOfFace faces);
+[[nodiscard]] MatchedFaces match_faces(const InputFaces& input, JudgedCells cells);
 
 } // namespace ciel::detail

@@ -28,8 +28,11 @@ void InputFaces::check_offsets() const {
         fail("the mesh has more than 4,294,967,294 vertices, cells or faces; split the dataset");
     const std::string one_more =
         " must hold one number more than there are cells (" + std::to_string(input_.cell_types.size()) + ")";
-    if (input_.cell_offset.size() != input_.cell_types.size() + 1) fail("cell_offset" + one_more);
-    check_offsets_of(input_.cell_offset, input_.face_offset.empty() ? 0 : input_.face_offset.size() - 1, "cell_offset");
+    const std::size_t faces = input_.face_offset.empty() ? 0 : input_.face_offset.size() - 1;
+    if (!input_.cell_offset.empty() || faces > 0) {
+        if (input_.cell_offset.size() != input_.cell_types.size() + 1) fail("cell_offset" + one_more);
+        check_offsets_of(input_.cell_offset, faces, "cell_offset");
+    }
     check_offsets_of(input_.face_offset, input_.face_vertex.size(), "face_offset");
     if (input_.corner_offset.empty()) return;
     if (input_.corner_offset.size() != input_.cell_types.size() + 1) fail("corner_offset" + one_more);
@@ -45,15 +48,14 @@ void InputFaces::check_cells() const {
             fail("cell type " + std::to_string(input_.cell_types[cell]) +
                  " is not known; use 10 (tetrahedron), 12 (hexahedron), 13 (wedge), 14 (pyramid) or 42 (polyhedron)");
         if (!has_corners(cell)) continue;
-        if (input_.corner_offset[cell + 1] - input_.corner_offset[cell] != corners ||
-            input_.cell_offset[cell] != input_.cell_offset[cell + 1])
+        if (input_.corner_offset[cell + 1] - input_.corner_offset[cell] != corners || listed_faces(cell) > 0)
             fail("cell " + std::to_string(cell) + " of type " + std::to_string(input_.cell_types[cell]) +
                  " must list either its faces or its " + std::to_string(corners) + " corners");
     }
 }
 
 void InputFaces::number_faces() {
-    begin_.reserve(input_.cell_offset.size());
+    begin_.reserve(input_.cell_types.size() + 1);
     std::uint64_t faces = 0;
     for (Index cell = 0; cell < cell_count(); ++cell) {
         begin_.push_back(static_cast<Index>(faces));
@@ -61,10 +63,27 @@ void InputFaces::number_faces() {
             with_shape(static_cast<CellType>(input_.cell_types[cell]),
                        [&]<const StandardShape & shape>() { faces += shape.faces; });
         else
-            faces += input_.cell_offset[cell + 1] - input_.cell_offset[cell];
+            faces += listed_faces(cell);
         if (faces >= none) fail("the mesh has more than 4,294,967,294 faces; split the dataset");
     }
     begin_.push_back(static_cast<Index>(faces));
+}
+
+// The first guess assumes that all cells have the same number of faces. The search widens around it.
+Index InputFaces::cell_of(Index face) const {
+    const auto guess = static_cast<Index>(std::uint64_t{face} * cell_count() / face_count());
+    Index low = guess, high = guess + 1;
+    for (Index step = 1; begin_[low] > face; step *= 2) {
+        high = low;
+        low -= std::min(low, step);
+    }
+    for (Index step = 1; begin_[high] <= face; step *= 2) {
+        low = high;
+        high += std::min(cell_count() - high, step);
+    }
+    const auto first = begin_.begin() + static_cast<std::ptrdiff_t>(low);
+    const auto last = begin_.begin() + static_cast<std::ptrdiff_t>(high);
+    return static_cast<Index>(std::upper_bound(first, last, face) - begin_.begin() - 1);
 }
 
 std::span<const Index> InputFaces::loop(Index cell, Index face, Corners& scratch) const {

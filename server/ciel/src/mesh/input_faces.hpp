@@ -23,6 +23,7 @@ public:
     // The faces of a cell have the ids begin(cell) to end(cell) - 1.
     [[nodiscard]] Index begin(Index cell) const { return begin_[cell]; }
     [[nodiscard]] Index end(Index cell) const { return begin_[cell + 1]; }
+    [[nodiscard]] Index cell_of(Index face) const;
 
     // Returns the vertex ids of a face of the cell. `scratch` gets the ids of a standard cell's face.
     [[nodiscard]] std::span<const Index> loop(Index cell, Index face, Corners& scratch) const;
@@ -32,6 +33,9 @@ public:
 private:
     [[nodiscard]] bool has_corners(Index cell) const {
         return !input_.corner_offset.empty() && input_.corner_offset[cell] != input_.corner_offset[cell + 1];
+    }
+    [[nodiscard]] std::uint64_t listed_faces(Index cell) const {
+        return input_.cell_offset.empty() ? 0 : input_.cell_offset[cell + 1] - input_.cell_offset[cell];
     }
     void check_offsets() const;
     void check_cells() const;

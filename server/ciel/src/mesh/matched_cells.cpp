@@ -21,11 +21,10 @@ namespace {
 constexpr std::size_t cells_per_task = 4096;
 
 struct Judged {
-    // By input cell. `key`: the place on the Hilbert curve.
-    std::vector<std::optional<BadCells::Reason>> bad;
-    std::vector<double> volume; // absolute value
-    std::vector<std::uint64_t> key;
-    std::vector<std::uint8_t> turn; // per input face: 1 if its loop must be reversed
+    std::vector<std::optional<BadCells::Reason>> bad; // by input cell
+    std::vector<double> volume;                       // by input cell; absolute value
+    std::vector<std::uint8_t> turn;                   // by input face: 1 if its loop must be reversed
+    std::vector<Index> order;                         // the good cells along the Hilbert curve
 };
 
 std::vector<std::uint64_t> curve_keys(const Judged& judged, std::span<const Vec3d> centre) {
@@ -48,6 +47,15 @@ std::vector<std::uint64_t> curve_keys(const Judged& judged, std::span<const Vec3
     return key;
 }
 
+std::vector<Index> curve_order(const Judged& judged, const std::vector<std::uint64_t>& key) {
+    std::vector<Index> order;
+    order.reserve(key.size());
+    for (Index c = 0; c < key.size(); ++c)
+        if (!judged.bad[c]) order.push_back(c);
+    std::ranges::sort(order, [&](Index a, Index b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
+    return order;
+}
+
 Judged judge_cells(const InputFaces& input) {
     const std::size_t cells = input.cell_count();
     Judged judged;
@@ -66,7 +74,7 @@ Judged judge_cells(const InputFaces& input) {
             centre[c] = verdict.centre;
         }
     });
-    judged.key = curve_keys(judged, centre);
+    judged.order = curve_order(judged, curve_keys(judged, centre));
     return judged;
 }
 
@@ -100,31 +108,18 @@ void report_faces(const InputFaces& input, const Judged& judged, AssembleReport&
     }
 }
 
-// Returns the good cells along the curve.
-std::vector<Index> curve_order(const Judged& judged) {
-    const std::vector<std::uint64_t>& key = judged.key;
-    std::vector<Index> order;
-    order.reserve(key.size());
-    for (Index c = 0; c < key.size(); ++c)
-        if (!judged.bad[c]) order.push_back(c);
-    std::ranges::sort(order, [&](Index a, Index b) { return key[a] != key[b] ? key[a] < key[b] : a < b; });
-    return order;
-}
-
 // Matches the faces of good cells. Returns the input cell on the other side of each input face, or none.
 std::vector<Index> neighbours_of(const InputFaces& input, Judged& judged, AssembleReport& report) {
-    std::vector<Index> cell_of_face(judged.turn.size(), none);
-    for (Index c = 0; c < judged.bad.size(); ++c)
-        if (!judged.bad[c])
-            std::ranges::fill(std::span(cell_of_face).subspan(input.begin(c), input.end(c) - input.begin(c)), c);
-    MatchedFaces matched = match_faces(input, {cell_of_face, judged.volume, judged.turn});
+    std::vector<std::uint8_t> left_out(judged.bad.size());
+    std::ranges::transform(judged.bad, left_out.begin(), [](const auto& bad) { return bad ? 1 : 0; });
+    MatchedFaces matched = match_faces(input, {left_out, judged.volume, judged.turn});
     for (const Index cell : matched.repeated_cells) judged.bad[cell] = BadCells::Reason::repeated;
     report.internal_boundaries = matched.internal_boundaries;
     report.inverted_cells = matched.inverted_cells.size();
     matched.inverted_cells.resize(std::min<std::size_t>(10, matched.inverted_cells.size()));
     report.first_inverted = std::move(matched.inverted_cells);
     for (Index& of_face : matched.partner)
-        if (of_face != none) of_face = cell_of_face[of_face];
+        if (of_face != none) of_face = input.cell_of(of_face);
     return std::move(matched.partner);
 }
 
@@ -217,7 +212,8 @@ MatchedCells::MatchedCells(const PolyhedraView& view) : data_(std::make_unique<D
     judged.volume = {};
     report_bad_cells(judged, data_->report);
     report_faces(data_->input, judged, data_->report);
-    data_->order = curve_order(judged);
+    data_->order = std::move(judged.order);
+    std::erase_if(data_->order, [&](Index cell) { return judged.bad[cell].has_value(); }); // repeated cells
     data_->turn = std::move(judged.turn);
     std::vector<Index> rank(judged.bad.size(), none); // input cell -> stored cell
     judged = {};
