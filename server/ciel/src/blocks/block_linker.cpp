@@ -245,14 +245,19 @@ void BlockLinker::complete_around(Index b) {
 std::vector<Index> BlockLinker::own_edges(BuiltBlock& built) {
     BlockOf<Owned>& block = built.block;
     const auto ghost_vertices = static_cast<Index>(block.ghost_vertex.size());
+    const auto ends = [&built](Index e) {
+        return std::pair(built.vertices[built.edge_ends[e][0]], built.vertices[built.edge_ends[e][1]]);
+    };
+    std::vector<Index> shared; // edges that an earlier block may own
+    for (Index e = 0; e < built.edge_ends.size(); ++e) {
+        if (built.edge_ends[e][1] >= ghost_vertices) continue;
+        shared.push_back(e);
+        open_edges_.fetch(ends(e));
+    }
     std::vector<std::pair<Index, Index>> ghosts; // (mesh-wide id, local id) of each ghost edge
     std::vector<Index> renumbered(built.edge_ends.size(), 0);
-    for (Index e = 0; e < built.edge_ends.size(); ++e) {
-        const auto [low, high] = built.edge_ends[e];
-        if (high >= ghost_vertices) continue;
-        const Index known = open_edges_.find(built.vertices[low], built.vertices[high]);
-        if (known != none) ghosts.emplace_back(known, e);
-    }
+    for (const Index e : shared)
+        if (const Index known = open_edges_.find(ends(e)); known != none) ghosts.emplace_back(known, e);
     std::ranges::sort(ghosts);
     for (const auto& [id, edge] : ghosts) {
         renumbered[edge] = none;
@@ -263,14 +268,18 @@ std::vector<Index> BlockLinker::own_edges(BuiltBlock& built) {
     const auto is_open = [this](Index vertex) { return this->is_open(vertex); };
     std::vector<std::uint8_t> open(built.vertices.size()); // by local vertex
     std::ranges::transform(built.vertices, open.begin(), is_open);
+    std::vector<std::pair<Index, Index>> left_open; // (local id, mesh-wide id) of edges that a later block may have
     for (Index e = 0; e < renumbered.size(); ++e) {
         if (renumbered[e] == none) continue;
         const auto [low, high] = built.edge_ends[e];
-        if (open[low] != 0 && open[high] != 0)
-            open_edges_.add(built.vertices[low], built.vertices[high], static_cast<Index>(edges_), is_open);
+        if (open[low] != 0 && open[high] != 0) {
+            left_open.emplace_back(e, static_cast<Index>(edges_));
+            open_edges_.fetch(ends(e));
+        }
         renumbered[e] = static_cast<Index>(ghosts.size() + edges_ - block.edge_begin);
         ++edges_;
     }
+    for (const auto& [e, id] : left_open) open_edges_.add(ends(e), id, is_open);
     if (edges_ >= none) fail("the mesh has more than 4,294,967,294 edges; split the dataset");
     for (Index i = 0; i < ghosts.size(); ++i) renumbered[ghosts[i].second] = i;
     return renumbered;

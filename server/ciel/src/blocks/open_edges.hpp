@@ -3,7 +3,9 @@
 
 #include "ciel/types.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <utility>
 #include <vector>
 
 namespace ciel::detail {
@@ -11,30 +13,38 @@ namespace ciel::detail {
 // Not thread-safe.
 class OpenEdges {
 public:
-    // Returns the mesh-wide id of the edge, or none. `low`, `high`: its mesh vertices.
-    [[nodiscard]] Index find(Index low, Index high) const {
-        return slots_.empty() ? none : slots_[slot_of(low, high)].edge;
+    using Ends = std::pair<Index, Index>; // the mesh vertices of an edge
+
+    // Starts to load the place of the edge into the processor's cache, because the table is large.
+    void fetch(const Ends& ends) const {
+        if (!slots_.empty()) __builtin_prefetch(&slots_[first_slot(ends)]);
     }
+    // Returns the mesh-wide id of the edge, or none.
+    [[nodiscard]] Index find(const Ends& ends) const { return slots_.empty() ? none : slots_[slot_of(ends)].edge; }
     // The edge must be new. is_open(vertex) returns whether a later block has the vertex; edges without such ends are
     // dropped when the table is full.
     template <class IsOpen>
-    void add(Index low, Index high, Index edge, IsOpen&& is_open) {
+    void add(const Ends& ends, Index edge, IsOpen&& is_open) {
         if (2 * (count_ + 1) > slots_.size()) drop_closed(is_open);
-        slots_[slot_of(low, high)] = {low, high, edge};
+        slots_[slot_of(ends)] = {ends, edge};
         ++count_;
     }
 
 private:
     struct Slot {
-        Index low = none, high = none, edge = none;
+        Ends ends{none, none};
+        Index edge = none;
     };
 
+    [[nodiscard]] std::size_t first_slot(const Ends& ends) const {
+        const std::uint64_t key = std::uint64_t{ends.first} << 32 | ends.second;
+        return (key * 0x9e3779b97f4a7c15U) >> shift_;
+    }
+
     // Returns the index of the edge, or of the free slot for it.
-    [[nodiscard]] std::size_t slot_of(Index low, Index high) const {
-        const std::uint64_t key = std::uint64_t{low} << 32 | high;
-        std::size_t at = (key * 0x9e3779b97f4a7c15U) >> shift_;
-        while (slots_[at].edge != none && (slots_[at].low != low || slots_[at].high != high))
-            at = (at + 1) % slots_.size();
+    [[nodiscard]] std::size_t slot_of(const Ends& ends) const {
+        std::size_t at = first_slot(ends);
+        while (slots_[at].edge != none && slots_[at].ends != ends) at = (at + 1) & (slots_.size() - 1);
         return at;
     }
     template <class IsOpen>
@@ -42,12 +52,13 @@ private:
         constexpr std::size_t fewest_slots = 1024;
         std::vector<Slot> before;
         before.swap(slots_);
-        std::erase_if(before,
-                      [&](const Slot& slot) { return slot.edge == none || !is_open(slot.low) || !is_open(slot.high); });
+        std::erase_if(before, [&](const Slot& slot) {
+            return slot.edge == none || !is_open(slot.ends.first) || !is_open(slot.ends.second);
+        });
         count_ = before.size();
         slots_.resize(std::bit_ceil(std::max(fewest_slots, 4 * (count_ + 1))));
         shift_ = 64 - std::countr_zero(slots_.size());
-        for (const Slot& slot : before) slots_[slot_of(slot.low, slot.high)] = slot;
+        for (const Slot& slot : before) slots_[slot_of(slot.ends)] = slot;
     }
 
     std::vector<Slot> slots_; // open addressing; the size is a power of two

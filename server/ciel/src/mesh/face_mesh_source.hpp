@@ -20,12 +20,14 @@ public:
 
     [[nodiscard]] Index cell_count() const { return mesh_.cell_count(); }
     [[nodiscard]] Index face_count() const { return mesh_.face_count(); }
-    // Calls visit(number of corners, owner) for the faces of the cell.
+    // Calls visit(number of corners, owner) for the faces of the cell. Does not check the numbers.
     template <class Visit>
     void for_faces_of(Index cell, Visit&& visit) const {
-        for (const Index face : faces_.others(cell)) visit(mesh_.loop(face).size(), Index{mesh_.owner[face]});
-        for (Index face = faces_.own_begin[cell]; face < faces_.own_begin[cell + 1]; ++face)
-            visit(mesh_.loop(face).size(), cell);
+        const auto offsets = mesh_.face_offset.unchecked();
+        const auto owners = mesh_.owner.unchecked();
+        faces_.for_faces(cell, [&](Index face) {
+            visit(static_cast<std::size_t>(offsets[face + 1] - offsets[face]), owners[face]);
+        });
     }
     // Calls visit(owner, neighbour or none, vertices) for all faces.
     template <class Visit>
