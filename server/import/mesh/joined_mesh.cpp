@@ -12,6 +12,8 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -297,7 +299,29 @@ RunningCounts count_running(const std::vector<InputGrid>& volumes) {
     return {mesh.point_count, mesh.members.back().first_cell + last};
 }
 
+namespace {
+
+// Returns the numbers of VTK's array without a copy, or nothing if the array has another type.
+store::Values numbers_of(vtkDataArray* points) {
+    const auto view = [points]<class Number>(vtkAOSDataArrayTemplate<Number>* array) {
+        const std::span<const Number> numbers(array->GetPointer(0),
+                                              static_cast<std::size_t>(array->GetNumberOfValues()));
+        return store::Values(numbers, std::make_shared<const vtkSmartPointer<vtkDataArray>>(points));
+    };
+    if (auto* floats = vtkFloatArray::SafeDownCast(points)) return view(floats);
+    if (auto* doubles = vtkDoubleArray::SafeDownCast(points)) return view(doubles);
+    return {};
+}
+
+} // namespace
+
 store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ciel::Index point_count) {
+    auto* only = members.size() == 1 ? vtkPointSet::SafeDownCast(members[0].data) : nullptr;
+    if (only != nullptr && only->GetPoints() != nullptr) {
+        store::Values numbers = numbers_of(only->GetPoints()->GetData());
+        if (numbers.size() == 3 * std::size_t{point_count})
+            return numbers.has_doubles() && ciel::are_floats(numbers) ? store::converted(numbers, false) : numbers;
+    }
     std::vector<double> positions(3 * std::size_t{point_count});
     for (const JoinedMesh::Member& member : members)
         for (vtkIdType i = 0; i < member.data->GetNumberOfPoints(); ++i) {
@@ -328,18 +352,29 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
             });
     };
     // A bucket has the edges with the same lower vertex id. Buckets are short, so that sorting takes linear time.
-    std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0);
+    std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0); // by vertex: its first edge
     for_each_edge([&](ciel::Index low, ciel::Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];
-    std::vector<ciel::Index> upper(bucket.back());
-    std::vector<std::uint64_t> next(bucket.begin(), bucket.end() - 1);
-    for_each_edge([&](ciel::Index low, ciel::Index high) { upper[next[low]++] = high; });
+    // The edges of some vertices at a time, because all edges of polyhedra would take more memory than the cells.
+    const std::uint64_t most_at_once = std::max<std::uint64_t>(std::uint64_t{1} << 24, bucket.back() / 8);
+    std::vector<ciel::Index> upper;
+    std::vector<std::uint64_t> next;
     std::uint64_t count = 0;
-    for (std::size_t i = 0; i + 1 < bucket.size(); ++i) {
-        const auto begin = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i]);
-        const auto end = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i + 1]);
-        std::sort(begin, end);
-        count += static_cast<std::uint64_t>(std::unique(begin, end) - begin);
+    for (std::size_t first = 0, last; first < mesh.point_count; first = last) {
+        const auto limit = std::ranges::upper_bound(bucket, bucket[first] + most_at_once);
+        last = std::max(first + 1, static_cast<std::size_t>(limit - bucket.begin()) - 1);
+        upper.resize(bucket[last] - bucket[first]);
+        next.assign(bucket.begin() + static_cast<std::ptrdiff_t>(first),
+                    bucket.begin() + static_cast<std::ptrdiff_t>(last));
+        for_each_edge([&](ciel::Index low, ciel::Index high) {
+            if (low >= first && low < last) upper[next[low - first]++ - bucket[first]] = high;
+        });
+        for (std::size_t i = first; i < last; ++i) {
+            const auto begin = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i] - bucket[first]);
+            const auto end = upper.begin() + static_cast<std::ptrdiff_t>(bucket[i + 1] - bucket[first]);
+            std::sort(begin, end);
+            count += static_cast<std::uint64_t>(std::unique(begin, end) - begin);
+        }
     }
     return count;
 }
