@@ -79,8 +79,8 @@ void PointInterpolation::find_cells(const Topology& topology) {
                 detail::for_cells(blocks.cells(b), loops, [&](Index cell, const detail::CellLoops& of_cell) {
                     corners.assign(of_cell.vertex.begin(), of_cell.vertex.end());
                     std::ranges::sort(corners);
-                    const auto repeated = std::ranges::unique(corners);
-                    for (auto at = corners.begin(); at != repeated.begin(); ++at) visit(*at, cell);
+                    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+                    for (const Index corner : corners) visit(corner, cell);
                 });
         });
     };

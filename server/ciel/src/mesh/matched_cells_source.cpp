@@ -67,16 +67,16 @@ private:
     // `face`: input face of `cell` that is also a face of `owner`.
     [[nodiscard]] Other shared_face(Index owner, Index cell, Index face) {
         cells_.list_own(owner, own_);
-        auto shared = std::ranges::equal_range(own_, cell, {}, &OwnFace::other);
-        auto found = shared.begin();
-        if (shared.size() > 1) {
+        auto found = std::ranges::lower_bound(own_, cell, {}, &OwnFace::other);
+        const auto end = std::ranges::upper_bound(own_, cell, {}, &OwnFace::other);
+        if (end - found > 1) {
             read(cell, face, wanted_);
-            found = std::ranges::find_if(shared, [&](const OwnFace& own) {
+            found = std::find_if(found, end, [&](const OwnFace& own) {
                 read(owner, own.face, loop_);
                 return compare_loops(wanted_, loop_) != Relation::different;
             });
         }
-        if (found == shared.end()) fail("two cells do not agree about a face that they share; please report this mesh");
+        if (found == end) fail("two cells do not agree about a face that they share; please report this mesh");
         return {cells_.own_begin[owner] + static_cast<Index>(found - own_.begin()), owner, found->face};
     }
     void read(Index cell, Index face, std::vector<Index>& loop) {
