@@ -3,6 +3,8 @@
 
 #include "blocks/block.hpp"
 
+#include <utility>
+
 namespace ciel::detail {
 
 // The faces of one or more cells as loops. Each loop is wound outwards from its cell and has mesh-wide vertex ids.
@@ -80,6 +82,34 @@ void for_cells(const Block& block, CellLoops& loops, F&& f) {
     };
     for (const StandardSection& section : block.standard) for_section(section);
     block.with(for_section);
+}
+
+// Calls f(mesh-wide cell id, mesh-wide vertex id) once for each vertex of each cell. `seen`: scratch. Throws Error if a
+// changed record has too many corners.
+template <class F>
+void for_corners_of_cells(const Block& block, std::vector<Index>& seen, F&& f) {
+    seen.assign(block.vertex_count, none); // by local vertex: the last cell of the section that has it
+    std::size_t corners = 0;
+    const auto see = [&](Index local, Index i, Index cell) {
+        if (local >= seen.size()) refuse_changed("a cell has a vertex that does not exist");
+        if (std::exchange(seen[local], i) != i) f(cell, block.vertex(local));
+    };
+    for (const StandardSection& section : block.standard) {
+        for (Index i = 0; i < section.count(); ++i)
+            for (std::size_t c = 0; c < section.shape->corners; ++c)
+                see(read_once(section.vertex[i * section.shape->corners + c]), i, block.cell(section.local_cell(i)));
+        seen.assign(block.vertex_count, none);
+    }
+    block.with([&](const auto& section) {
+        for (Index i = 0; i < section.count(); ++i)
+            for (const auto& entry : section.faces_of(i)) {
+                const auto loop = corners_of_face(section, read_once(entry) / 2);
+                corners += loop.size();
+                if (corners > section.half_edge_count()) refuse_changed("a cell has more corners than its block");
+                for (Index corner = loop.begin; corner < loop.end; ++corner)
+                    see(read_once(section.vertex[corner]), i, block.cell(section.local_cell(i)));
+            }
+    });
 }
 
 // Leaves `loops` empty if the block does not have the cell.

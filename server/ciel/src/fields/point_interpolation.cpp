@@ -73,25 +73,19 @@ void PointInterpolation::find_cells(const Topology& topology) {
     const Topology::Blocks& blocks = topology.blocks();
     const auto for_each_pair = [&](auto&& visit) {
         parallel_for(blocks.count(), 1, [&](std::size_t first, std::size_t last) {
-            detail::CellLoops loops;
-            std::vector<Index> corners;
+            std::vector<Index> seen;
             for (auto b = static_cast<Index>(first); b < last; ++b)
-                detail::for_cells(blocks.cells(b), loops, [&](Index cell, const detail::CellLoops& of_cell) {
-                    corners.assign(of_cell.vertex.begin(), of_cell.vertex.end());
-                    std::ranges::sort(corners);
-                    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-                    for (const Index corner : corners) visit(corner, cell);
-                });
+                detail::for_corners_of_cells(blocks.cells(b), seen, visit);
         });
     };
     offset_.assign(vertices + 1, 0);
-    for_each_pair([&](Index vertex, Index) {
+    for_each_pair([&](Index, Index vertex) {
         std::atomic_ref(offset_[std::size_t{vertex} + 1]).fetch_add(1, std::memory_order_relaxed);
     });
     for (std::size_t i = 0; i < vertices; ++i) offset_[i + 1] += offset_[i];
     cell_.resize(offset_.back());
     std::vector<std::uint64_t> next(offset_.begin(), offset_.end() - 1);
-    for_each_pair([&](Index vertex, Index cell) {
+    for_each_pair([&](Index cell, Index vertex) {
         const std::uint64_t at = std::atomic_ref(next[vertex]).fetch_add(1, std::memory_order_relaxed);
         if (at >= offset_[std::size_t{vertex} + 1]) fail("the mesh changed while it was read; restore its files");
         cell_[at] = cell;

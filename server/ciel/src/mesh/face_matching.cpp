@@ -48,17 +48,21 @@ FacesByVertex group_faces(const InputFaces& input, std::span<const std::uint8_t>
     return out;
 }
 
+struct FaceOfCell {
+    Index face = none, cell = none;
+};
+
 // Loops of faces without repeated vertices. Each thread needs its own object.
 class Loops {
 public:
     explicit Loops(const InputFaces& input) : input_(input) {}
 
     // Sets `loop` to the loop of the face.
-    void read(Index face, std::vector<Index>& loop) {
+    void read(FaceOfCell face, std::vector<Index>& loop) {
         loop.clear();
-        append_without_repeats(input_.loop(input_.cell_of(face), face, corners_), loop);
+        append_without_repeats(input_.loop(face.cell, face.face, corners_), loop);
     }
-    [[nodiscard]] Relation compare(Index a, Index b);
+    [[nodiscard]] Relation compare(FaceOfCell a, FaceOfCell b);
 
 private:
     const InputFaces& input_;
@@ -66,7 +70,7 @@ private:
     std::vector<Index> loop_a_, loop_b_;
 };
 
-Relation Loops::compare(Index a, Index b) {
+Relation Loops::compare(FaceOfCell a, FaceOfCell b) {
     read(a, loop_a_);
     read(b, loop_b_);
     return compare_loops(loop_a_, loop_b_);
@@ -75,7 +79,7 @@ Relation Loops::compare(Index a, Index b) {
 // Finds equal faces among faces with the same smallest vertex. Each thread needs its own object.
 class EqualFaces {
 public:
-    explicit EqualFaces(const Loops& loops) : loops_(loops) {}
+    EqualFaces(const InputFaces& input, const Loops& loops) : input_(input), loops_(loops) {}
 
     // Calls settle(group) for each group of two or more equal faces. The faces of a group ascend.
     template <class Settle>
@@ -84,26 +88,28 @@ public:
 private:
     struct Claim {
         std::uint32_t fingerprint = 0;
-        Index face = none;
+        FaceOfCell of;
     };
     template <class Settle>
     void compare_all(std::span<const Claim> claims, Settle&& settle);
 
+    const InputFaces& input_;
     Loops loops_;
     std::vector<Claim> claims_;
-    std::vector<Index> loop_, left_, group_, rest_;
+    std::vector<Index> loop_;
+    std::vector<FaceOfCell> left_, group_, rest_;
 };
 
 template <class Settle>
 void EqualFaces::for_groups(std::span<const Index> faces, Settle&& settle) {
     claims_.clear();
     for (const Index face : faces) {
-        loops_.read(face, loop_);
-        Claim claim{0, face};
+        Claim claim{0, {face, input_.cell_of(face)}};
+        loops_.read(claim.of, loop_);
         for (const Index v : loop_) claim.fingerprint += mix(v); // a sum does not depend on the vertex order
         claims_.push_back(claim);
     }
-    std::ranges::sort(claims_, {}, [](const Claim& claim) { return std::pair(claim.fingerprint, claim.face); });
+    std::ranges::sort(claims_, {}, [](const Claim& claim) { return std::pair(claim.fingerprint, claim.of.face); });
     for (std::size_t begin = 0, end; begin < claims_.size(); begin = end) {
         end = begin + 1;
         while (end < claims_.size() && claims_[end].fingerprint == claims_[begin].fingerprint) ++end;
@@ -115,7 +121,7 @@ void EqualFaces::for_groups(std::span<const Index> faces, Settle&& settle) {
 template <class Settle>
 void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
     left_.clear();
-    for (const Claim& claim : claims) left_.push_back(claim.face);
+    for (const Claim& claim : claims) left_.push_back(claim.of);
     while (!left_.empty()) {
         group_.assign(1, left_[0]);
         rest_.clear();
@@ -157,7 +163,8 @@ private:
 };
 
 bool Matcher::wound_alike(Index a, Index b) {
-    return (loops_.compare(a, b) == Relation::same_direction) == (cells_.turn[a] == cells_.turn[b]);
+    const Relation relation = loops_.compare({a, input_.cell_of(a)}, {b, input_.cell_of(b)});
+    return (relation == Relation::same_direction) == (cells_.turn[a] == cells_.turn[b]);
 }
 
 void Matcher::match(Index a, Index b) {
@@ -311,15 +318,17 @@ void Matcher::pair_faces() {
     std::vector<std::pair<std::size_t, std::vector<std::vector<Index>>>> crowds; // (first vertex, crowds of a task)
     Mutex mutex;
     parallel_for(faces.begin.size() - 1, vertices_per_task, [&](std::size_t first, std::size_t last) {
-        EqualFaces equal(loops_);
+        EqualFaces equal(input_, loops_);
         std::vector<std::vector<Index>> of_task;
         for (std::size_t v = first; v < last; ++v)
             equal.for_groups(std::span(faces.face).subspan(faces.begin[v], faces.begin[v + 1] - faces.begin[v]),
-                             [&](const std::vector<Index>& group) {
-                                 if (group.size() > 2)
-                                     of_task.push_back(group);
-                                 else if (input_.cell_of(group[0]) != input_.cell_of(group[1]))
-                                     match(group[0], group[1]);
+                             [&](const std::vector<FaceOfCell>& group) {
+                                 if (group.size() == 2) {
+                                     if (group[0].cell != group[1].cell) match(group[0].face, group[1].face);
+                                     return;
+                                 }
+                                 std::vector<Index>& crowd = of_task.emplace_back();
+                                 for (const FaceOfCell& of : group) crowd.push_back(of.face);
                              });
         if (of_task.empty()) return;
         const Locked lock(mutex);

@@ -28,7 +28,7 @@ public:
     // Returns the vertex ids of a face of the cell. `scratch` gets the ids of a standard cell's face.
     [[nodiscard]] std::span<const Index> loop(Index cell, Index face, Corners& scratch) const;
     [[nodiscard]] std::size_t size(Index cell, Index face) const;
-    [[nodiscard]] bool is_face(Index cell, Index face) const { return size(cell, face) >= 3; }
+    [[nodiscard]] bool is_face(Index cell, Index face) const { return has_corners(cell) || size(cell, face) >= 3; }
 
 private:
     [[nodiscard]] bool has_corners(Index cell) const {

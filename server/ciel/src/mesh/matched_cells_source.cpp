@@ -28,9 +28,11 @@ public:
     }
 
 private:
+    static constexpr Index not_listed = none;
     struct Other {
         Index face;            // mesh face
-        Index owner, of_owner; // of_owner: input face
+        Index loop;            // in out_, or not_listed
+        Index owner, of_owner; // of_owner: input face, if the face is not listed
     };
 
     void list_own() {
@@ -59,25 +61,47 @@ private:
         });
         std::ranges::sort(others_, {}, &Other::face);
         for (const Other& other : others_) {
-            const bool is_listed = other.owner >= begin_;
-            out_.cell_loop.push_back(2 * (is_listed ? other.face - first_face_ : out_.loop_count()) + 1);
-            if (!is_listed) append(other.face, {other.owner, cell}, other.of_owner);
+            out_.cell_loop.push_back(2 * (other.loop == not_listed ? out_.loop_count() : other.loop) + 1);
+            if (other.loop == not_listed) append(other.face, {other.owner, cell}, other.of_owner);
         }
     }
     // `face`: input face of `cell` that is also a face of `owner`.
     [[nodiscard]] Other shared_face(Index owner, Index cell, Index face) {
+        const Index first = cells_.own_begin[owner];
+        if (owner >= begin_) {
+            const auto listed =
+                std::span(out_.mesh_cell).subspan(first - first_face_, cells_.own_begin[owner + 1] - first);
+            const Index i = find(
+                listed, [](const auto& of_face) { return of_face[1]; }, cell, face,
+                [&](Index own) {
+                    const Index loop = first - first_face_ + own;
+                    loop_.clear();
+                    append_without_repeats(
+                        std::span(out_.vertex).subspan(out_.begin[loop], out_.begin[loop + 1] - out_.begin[loop]),
+                        loop_);
+                });
+            return {first + i, first - first_face_ + i, owner, none};
+        }
         cells_.list_own(owner, own_);
-        auto found = std::ranges::lower_bound(own_, cell, {}, &OwnFace::other);
-        const auto end = std::ranges::upper_bound(own_, cell, {}, &OwnFace::other);
+        const Index i =
+            find(std::span(own_), &OwnFace::other, cell, face, [&](Index own) { read(owner, own_[own].face, loop_); });
+        return {first + i, not_listed, owner, own_[i].face};
+    }
+    // Returns the index of the owner's face behind which `cell` is. Two cells that share several faces need a
+    // comparison of the corners. read_loop(i) sets loop_ to the i-th face of the owner.
+    template <class Faces, class OtherCell, class ReadLoop>
+    [[nodiscard]] Index find(const Faces& faces, OtherCell other_cell, Index cell, Index face, ReadLoop&& read_loop) {
+        auto found = static_cast<Index>(std::ranges::lower_bound(faces, cell, {}, other_cell) - faces.begin());
+        const auto end = static_cast<Index>(std::ranges::upper_bound(faces, cell, {}, other_cell) - faces.begin());
         if (end - found > 1) {
             read(cell, face, wanted_);
-            found = std::find_if(found, end, [&](const OwnFace& own) {
-                read(owner, own.face, loop_);
-                return compare_loops(wanted_, loop_) != Relation::different;
-            });
+            for (; found < end; ++found) {
+                read_loop(found);
+                if (compare_loops(wanted_, loop_) != Relation::different) break;
+            }
         }
         if (found == end) fail("two cells do not agree about a face that they share; please report this mesh");
-        return {cells_.own_begin[owner] + static_cast<Index>(found - own_.begin()), owner, found->face};
+        return found;
     }
     void read(Index cell, Index face, std::vector<Index>& loop) {
         raw_.clear();
