@@ -14,6 +14,7 @@
 #include "store/mesh_arrays.hpp"
 #include "store/mesh_counts.hpp"
 #include "store/new_dataset_directory.hpp"
+#include "store/new_dataset_info.hpp"
 #include "store/statistics.hpp"
 #include "store/valid_text.hpp"
 #include "store/write_mesh.hpp"
@@ -21,8 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
-#include <random>
 #include <set>
 
 namespace server::store {
@@ -30,22 +29,6 @@ namespace server::store {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string now_iso8601() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text;
-}
-
-std::string random_id() {
-    std::random_device device;
-    std::uint32_t words[4];
-    for (std::uint32_t& word : words) word = device();
-    return checksum(std::as_bytes(std::span(words))).substr(5);
-}
 
 struct WrittenMesh {
     MeshAttributes attributes;
@@ -94,7 +77,12 @@ struct Writer::State {
     Marker marker;
     std::optional<double> last_time; // time of the last step; nullopt if there is none
     std::vector<WrittenMesh> meshes;
-    std::map<std::size_t, std::optional<ciel::Topology>> topologies; // by mesh; nullopt until it is first used
+    struct UsedMesh {
+        std::size_t mesh;
+        std::shared_ptr<const StoredBlocks> blocks; // null in format 1
+        ciel::Topology topology;
+    };
+    std::optional<UsedMesh> used; // the mesh whose topology was used last; only one, because it keeps files open
     std::unique_ptr<StepUnderWay> under_way;
     bool info_changed = false, finished = false;
 
@@ -197,11 +185,17 @@ struct Writer::State {
         return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path());
     }
     [[nodiscard]] const ciel::Topology& topology_of(std::size_t mesh) {
-        std::optional<ciel::Topology>& found = topologies[mesh];
-        if (!found && has_blocks(mesh))
-            found = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id)->topology();
-        if (!found) found = before->topology(mesh);
-        return *found;
+        if (used && used->mesh == mesh) return used->topology;
+        check_used();
+        used.reset();
+        std::shared_ptr<const StoredBlocks> blocks;
+        if (has_blocks(mesh)) blocks = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id);
+        ciel::Topology topology = blocks ? blocks->topology() : before->topology(mesh);
+        return used.emplace(UsedMesh{mesh, std::move(blocks), std::move(topology)}).topology;
+    }
+    // Throws Error if records that were used have changed or could not be read again.
+    void check_used() const {
+        if (used && used->blocks) used->blocks->check_intact();
     }
 
     std::size_t add_mesh(const NewMesh& mesh, const OriginalIds& original, std::span<const NamedGroup> groups,
@@ -209,7 +203,7 @@ struct Writer::State {
         const std::size_t index = meshes.size();
         const fs::path path = layout::mesh(directory, index);
         fs::remove_all(path); // may remain from an append that was not committed
-        topologies.erase(index);
+        used.reset();
         meshes.push_back({write_mesh(path, mesh, original, with_valid_text(groups), solver, info.id), {}, 0});
         info_changed |= info.format_version != layout::format_version;
         info.format_version = layout::format_version;
@@ -275,15 +269,7 @@ Writer::Writer(const fs::path& directory, const DatasetHeader& header, bool over
     : state_(std::make_unique<State>()) {
     state_->new_directory = std::make_unique<NewDatasetDirectory>(directory, overwrite);
     state_->directory = state_->new_directory->temporary();
-    DatasetInfo& info = state_->info;
-    info.id = random_id();
-    info.created = now_iso8601();
-    info.source = valid_utf8(header.source);
-    info.length_units = valid_utf8(header.length_units);
-    info.input_vertices = header.input_vertices;
-    info.input_edges = header.input_edges;
-    info.input_cells = header.input_cells;
-    for (const std::string& note : header.notes) info.notes.push_back(valid_utf8(note));
+    state_->info = new_dataset_info(header);
 }
 
 Writer Writer::append(const fs::path& directory) { return append(Dataset::open(directory, LackingRanges::left_out)); }
@@ -428,6 +414,7 @@ void Writer::end_step() {
     if (!state.under_way) throw ciel::Error("there is no step to end; begin a step first");
     try {
         state.place_extremes(state.under_way->step);
+        state.check_used();
     } catch (...) {
         state.take_back();
         throw;
@@ -486,6 +473,7 @@ void Writer::finish() {
         for (std::size_t m = 0; m < state.meshes.size(); ++m) state.put_mesh(m);
         state.put_root();
         if (!state.commit().move_steps_to_table(state.marker)) state.commit().put(state.marker);
+        state.used.reset();
         read_again(*state.new_directory);
         state.new_directory->commit();
     }

@@ -51,7 +51,8 @@ public:
     std::size_t add_mesh(const ciel::MatchedCells& cells, const ciel::FaceMesh& boundary,
                          std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
                          std::span<const NamedGroup> groups, const SolverIds& solver = {});
-    // Valid until the next call of add_mesh. Throws Error when the mesh does not exist, or when its blocks are damaged.
+    // Valid until the next call of another function. Throws Error when the mesh does not exist, or when its blocks are
+    // damaged.
     [[nodiscard]] const ciel::Topology& topology(std::size_t mesh);
     // Returns whether a mesh can store these positions without rounding. A mesh stores floats if its first positions
     // were floats, else doubles.

@@ -67,6 +67,24 @@ TEST_P(BuildRecords, AgreesWithTheListOfFaces) {
 INSTANTIATE_TEST_SUITE_P(Meshes, BuildRecords, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
+TEST(BuildRecordsOf, AGiantCellAreTheSame) {
+    const Polyhedra input = giant_cell(56);
+    const Assembled assembled = assemble(view(input));
+    for (const Index cells_per_block : {100U, 4096U}) {
+        const CopiedRecords expected{Topology(assembled.mesh.view(), {cells_per_block})};
+        Collected from_cells;
+        (void)build_records(MatchedCells(view(input)), from_cells, {cells_per_block});
+        EXPECT_TRUE(from_cells.records == expected.records) << cells_per_block;
+    }
+}
+
+TEST(BuildRecordsOf, CellsWithoutFacesAreComplete) {
+    FaceMesh mesh;
+    mesh.positions = {0, 0, 0};
+    mesh.cell_types = {static_cast<std::uint8_t>(CellType::polyhedron)};
+    EXPECT_EQ(Topology(mesh.view()).counts().half_edges, 0U);
+}
+
 TEST(BuildRecordsInto, ASinkThatThrowsGetsNoFurtherCall) {
     const Assembled assembled = assemble(view(zoo({{8, 8, 8}})));
     Collected all;

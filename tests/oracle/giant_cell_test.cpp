@@ -67,5 +67,11 @@ TEST_P(GiantCell, IsCutLikeAnyOther) {
 
 INSTANTIATE_TEST_SUITE_P(BlockSizes, GiantCell, testing::Values(1U, 256U, 100000U));
 
+// The links of a small block have 16 bits.
+TEST(GiantCellWithTooManyNeighbors, IsRefused) {
+    const Assembled assembled = assemble(view(giant_cell(256))); // 66,049 shared vertices
+    EXPECT_THROW((void)Topology(assembled.mesh.view()), Error);
+}
+
 } // namespace
 } // namespace ciel::test

@@ -61,5 +61,22 @@ TEST(point_interpolation, takes_the_only_cell_at_a_corner) {
     EXPECT_EQ(std::count(points.begin(), points.end(), 5.0F), 1);
 }
 
+// The blocks have no faces that collapsed to a point.
+TEST(point_interpolation, takes_a_cell_that_collapsed_to_a_point) {
+    Polyhedra input = hexahedra({{2, 1, 1}});
+    input.positions.insert(input.positions.end(), {9, 9, 9});
+    const auto alone = static_cast<Index>(input.positions.size() / 3 - 1);
+    for (std::size_t corner = input.face_offset[input.cell_offset[1]]; corner < input.face_vertex.size(); ++corner)
+        input.face_vertex[corner] = alone;
+    const Assembled assembled = assemble(view(input));
+    const FaceMeshView mesh = assembled.mesh.view();
+    ASSERT_EQ(mesh.cell_count(), 2U);
+    const std::vector<float> cells{assembled.original_cell[0] == 1 ? 5.0F : 0.0F,
+                                   assembled.original_cell[1] == 1 ? 5.0F : 0.0F};
+    const std::vector<float> points = PointInterpolation(Topology(mesh), mesh).apply(cells, 1);
+    for (Index vertex = 0; vertex < mesh.vertex_count(); ++vertex)
+        EXPECT_EQ(points[vertex], assembled.original_vertex[vertex] == alone ? 5.0F : 0.0F) << vertex;
+}
+
 } // namespace
 } // namespace ciel::test

@@ -32,7 +32,8 @@ struct BuiltRecords {
 };
 
 // Throw the exceptions of Topology::Topology and of the sink. The sink may then have a part of the records. Both
-// functions make the same records of the same cells.
+// functions make the same records of the same cells, unless faces have repeated vertices: blocks may then end at other
+// cells.
 [[nodiscard]] BuiltRecords build_records(const FaceMeshView& mesh, RecordSink& sink, Topology::Options options = {});
 [[nodiscard]] BuiltRecords build_records(const MatchedCells& cells, RecordSink& sink, Topology::Options options = {});
 

@@ -27,7 +27,10 @@ public:
     [[nodiscard]] std::vector<double> apply(std::span<const double> cell_values, int components) const;
 
 private:
-    void find_cells(const Topology& topology);
+    struct CellAtVertex;
+    [[nodiscard]] static std::vector<CellAtVertex> at_collapsed_faces(const Topology& topology,
+                                                                      const FaceMeshView& mesh);
+    void find_cells(const Topology& topology, std::span<const CellAtVertex> further);
     template <class T>
     [[nodiscard]] std::vector<T> apply_to(std::span<const T> cell_values, int components) const;
 

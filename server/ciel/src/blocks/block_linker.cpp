@@ -1,6 +1,7 @@
 #include "blocks/block_linker.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -176,6 +177,7 @@ void BlockLinker::share_vertices(const BuiltBlock& built) {
         }
         if (!is_open(vertex)) close_vertex(vertex, owner);
     }
+    if (built.vertices.empty()) complete_border(b); // the cells of the block have no faces
 }
 
 void BlockLinker::close_vertex(Index vertex, Index owner) {
@@ -229,7 +231,10 @@ void BlockLinker::complete_around(Index b) {
             arrays.border_vertex.assign(border_[b].begin(), border_[b].end());
             for (const Pending::Step& step : kept.border) {
                 arrays.border_block.push_back(static_cast<Local>(place_in(kept.around.neighbour, step.block)));
-                arrays.border_place.push_back(static_cast<Local>(place_in(border_[step.block], step.there)));
+                const Index place = place_in(border_[step.block], step.there);
+                if (place > std::numeric_limits<Local>::max())
+                    fail("a cell shares more than 65,536 vertices with other cells; split the cell");
+                arrays.border_place.push_back(static_cast<Local>(place));
             }
         },
         kept.around.arrays);

@@ -70,7 +70,8 @@ Survey survey(const Source& source) {
     source.for_faces([&](Index owner, Index neighbour, std::span<const Index> vertices) {
         const Index last = neighbour == none ? owner : neighbour;
         if (owner >= parent.size() || last >= parent.size()) source.refuse();
-        for (const Index vertex : vertices) {
+        for (const Index& entry : vertices) {
+            const Index vertex = read_once(entry);
             if (vertex >= found.last_cell.size()) source.refuse();
             if (found.last_cell[vertex] < last) found.last_cell[vertex] = last;
         }
@@ -109,13 +110,17 @@ private:
         RecordBytes bytes;
     };
 
-    void build_until_none_is_left() {
+    // After an exception, all threads stop, because the records of further blocks would wait in memory for nothing.
+    void build_until_none_is_left() try {
         BlockBuilder builder(source_);
         for (std::size_t b = next_++; b < built_.size(); b = next_++) {
             auto built = std::make_unique<BuiltBlock>(builder.build(cell_begin_[b], cell_begin_[b + 1]));
             for (const Linked& linked : link(b, std::move(built)))
                 put(linked.place, {linked.record.block, linked.record.kind, linked.record.make()});
         }
+    } catch (...) {
+        next_ = built_.size();
+        throw;
     }
     [[nodiscard]] std::vector<Linked> link(std::size_t b, std::unique_ptr<BuiltBlock> built) {
         const Locked lock(linking_);

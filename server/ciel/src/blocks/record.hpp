@@ -9,6 +9,7 @@
 #pragma once
 
 #include "ciel/record_source.hpp"
+#include "mesh/read_once.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -75,12 +76,6 @@ private:
     std::vector<Entry> entries_;
     mutable std::vector<bool> known_; // by entry: whether `get` has returned the section
 };
-
-// The bytes of a record may change (RecordSource). Without `volatile`, the compiler may read an element again.
-template <class T>
-[[nodiscard]] inline T read_once(const T& entry) {
-    return *const_cast<const volatile T*>(&entry);
-}
 
 // Throws Error with the message that a record changed while it was used. `what`: the contradiction in the record.
 [[noreturn]] void refuse_changed(const char* what);

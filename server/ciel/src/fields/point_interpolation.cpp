@@ -4,6 +4,7 @@
 #include "blocks/cell_loops.hpp"
 #include "ciel/cell_shapes.hpp"
 #include "ciel/linear_weights.hpp"
+#include "ciel/mesh_faces.hpp"
 #include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
 
@@ -13,6 +14,11 @@
 #include <limits>
 
 namespace ciel {
+
+struct PointInterpolation::CellAtVertex {
+    Index vertex, cell;
+    friend auto operator<=>(const CellAtVertex&, const CellAtVertex&) = default;
+};
 
 namespace {
 
@@ -47,8 +53,11 @@ private:
 } // namespace
 
 PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshView& mesh) {
-    const std::vector<Vec3d> centres = cell_centres(topology, mesh);
-    find_cells(topology);
+    std::vector<Vec3d> centres = cell_centres(topology, mesh);
+    const std::vector<CellAtVertex> collapsed = at_collapsed_faces(topology, mesh);
+    for (const CellAtVertex& at : collapsed)
+        if (topology.half_edge_begin(at.cell) == no_half_edge) centres[at.cell] = position(mesh, at.vertex);
+    find_cells(topology, collapsed);
     weight_.assign(cell_.size(), 0.0F);
     const BoundaryNormals normals(mesh);
     parallel_for(mesh.vertex_count(), grain, [&](std::size_t begin, std::size_t end) {
@@ -67,8 +76,26 @@ PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshV
     });
 }
 
+// The blocks have no faces that collapsed to a point. Returns the vertices that only such faces give to their cells.
+std::vector<PointInterpolation::CellAtVertex> PointInterpolation::at_collapsed_faces(const Topology& topology,
+                                                                                     const FaceMeshView& mesh) {
+    std::vector<CellAtVertex> found;
+    std::vector<Index> loop;
+    for (Index face = 0; face < mesh.face_count(); ++face) {
+        const FaceCells beside = read_cells(mesh, face);
+        if (beside.neighbour != none) continue;
+        read_loop(mesh, face, loop);
+        if (loop.empty() || std::ranges::any_of(loop, [&](Index v) { return v != loop[0]; })) continue;
+        const std::vector<Index> corners = corners_of_cell(topology, beside.owner);
+        if (!std::ranges::binary_search(corners, loop[0])) found.push_back({loop[0], beside.owner});
+    }
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
 // Threads add the cells of a vertex in any order, so that they are sorted afterwards.
-void PointInterpolation::find_cells(const Topology& topology) {
+void PointInterpolation::find_cells(const Topology& topology, std::span<const CellAtVertex> further) {
     const std::size_t vertices = topology.counts().vertices;
     const Topology::Blocks& blocks = topology.blocks();
     const auto for_each_pair = [&](auto&& visit) {
@@ -77,6 +104,7 @@ void PointInterpolation::find_cells(const Topology& topology) {
             for (auto b = static_cast<Index>(first); b < last; ++b)
                 detail::for_corners_of_cells(blocks.cells(b), seen, visit);
         });
+        for (const CellAtVertex& at : further) visit(at.cell, at.vertex);
     };
     offset_.assign(vertices + 1, 0);
     for_each_pair([&](Index, Index vertex) {

@@ -17,7 +17,7 @@ void FaceMeshSource::copy_own(Index face_begin, Index face_end, FaceLoops& out) 
     out.begin.resize(offsets.size());
     std::uint64_t last = first;
     for (std::size_t i = 0; i < offsets.size(); ++i) {
-        const std::uint64_t at = offsets[i];
+        const std::uint64_t at = read_once(offsets[i]);
         if (at < last || at > most || at - first >= none) mesh_.face_offset.refuse();
         out.begin[i] = static_cast<Index>((last = at) - first);
     }

@@ -3,6 +3,7 @@
 
 #include "mesh/cell_faces.hpp"
 #include "mesh/face_source.hpp"
+#include "mesh/read_once.hpp"
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ public:
         const auto offsets = mesh_.face_offset.unchecked();
         const auto owners = mesh_.owner.unchecked();
         faces_.for_faces(cell, [&](Index face) {
-            visit(static_cast<std::size_t>(offsets[face + 1] - offsets[face]), owners[face]);
+            visit(static_cast<std::size_t>(offsets[face + 1] - offsets[face]), read_once(owners[face]));
         });
     }
     // Calls visit(owner, neighbour or none, vertices) for all faces.
@@ -49,8 +50,9 @@ void FaceMeshSource::for_faces(Visit&& visit) const {
     const auto vertices = mesh_.face_vertex.unchecked();
     std::uint64_t at = 0;
     for (std::size_t face = 0; face < owners.size(); ++face) {
-        const std::uint64_t end = std::clamp<std::uint64_t>(offsets[face + 1], at, vertices.size());
-        visit(owners[face], neighbours[face], vertices.subspan(at, end - at));
+        const std::uint64_t offset = read_once(offsets[face + 1]);
+        const std::uint64_t end = std::clamp<std::uint64_t>(offset, at, vertices.size());
+        visit(read_once(owners[face]), read_once(neighbours[face]), vertices.subspan(at, end - at));
         at = end;
     }
 }

@@ -3,6 +3,8 @@
 #include "mesh/loop.hpp"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 namespace ciel::detail {
 
@@ -72,7 +74,7 @@ private:
             const auto listed =
                 std::span(out_.mesh_cell).subspan(first - first_face_, cells_.own_begin[owner + 1] - first);
             const Index i = find(
-                listed, [](const auto& of_face) { return of_face[1]; }, cell, face,
+                listed, [](const auto& of_face) { return of_face[1]; }, owner, cell, face,
                 [&](Index own) {
                     const Index loop = first - first_face_ + own;
                     loop_.clear();
@@ -82,26 +84,44 @@ private:
                 });
             return {first + i, first - first_face_ + i, owner, none};
         }
-        cells_.list_own(owner, own_);
+        const std::span<const OwnFace> own = own_faces(owner);
         const Index i =
-            find(std::span(own_), &OwnFace::other, cell, face, [&](Index own) { read(owner, own_[own].face, loop_); });
-        return {first + i, not_listed, owner, own_[i].face};
+            find(own, &OwnFace::other, owner, cell, face, [&](Index k) { read(owner, own[k].face, loop_); });
+        return {first + i, not_listed, owner, own[i].face};
+    }
+    // Keeps the faces of large cells, because many cells of the block may have a face of the same one.
+    [[nodiscard]] std::span<const OwnFace> own_faces(Index cell) {
+        constexpr Index large = 64;
+        if (cells_.own_begin[cell + 1] - cells_.own_begin[cell] < large) {
+            cells_.list_own(cell, own_);
+            return own_;
+        }
+        std::vector<OwnFace>& kept = large_[cell];
+        if (kept.empty()) cells_.list_own(cell, kept);
+        return kept;
     }
     // Returns the index of the owner's face behind which `cell` is. Two cells that share several faces need a
     // comparison of the corners. read_loop(i) sets loop_ to the i-th face of the owner.
     template <class Faces, class OtherCell, class ReadLoop>
-    [[nodiscard]] Index find(const Faces& faces, OtherCell other_cell, Index cell, Index face, ReadLoop&& read_loop) {
-        auto found = static_cast<Index>(std::ranges::lower_bound(faces, cell, {}, other_cell) - faces.begin());
+    [[nodiscard]] Index find(const Faces& faces, OtherCell other_cell, Index owner, Index cell, Index face,
+                             ReadLoop&& read_loop) {
+        const auto first = static_cast<Index>(std::ranges::lower_bound(faces, cell, {}, other_cell) - faces.begin());
         const auto end = static_cast<Index>(std::ranges::upper_bound(faces, cell, {}, other_cell) - faces.begin());
-        if (end - found > 1) {
-            read(cell, face, wanted_);
-            for (; found < end; ++found) {
-                read_loop(found);
-                if (compare_loops(wanted_, loop_) != Relation::different) break;
+        if (end - first == 1) return first;
+        if (std::exchange(shared_by_, {owner, cell}) != std::array{owner, cell}) {
+            by_smallest_.clear();
+            for (Index i = first; i < end; ++i) {
+                read_loop(i);
+                by_smallest_.emplace(*std::ranges::min_element(loop_), i);
             }
         }
-        if (found == end) fail("two cells do not agree about a face that they share; please report this mesh");
-        return found;
+        read(cell, face, wanted_);
+        const auto [from, to] = by_smallest_.equal_range(*std::ranges::min_element(wanted_));
+        for (auto at = from; at != to; ++at) {
+            read_loop(at->second);
+            if (compare_loops(wanted_, loop_) != Relation::different) return at->second;
+        }
+        fail("two cells do not agree about a face that they share; please report this mesh");
     }
     void read(Index cell, Index face, std::vector<Index>& loop) {
         raw_.clear();
@@ -114,6 +134,9 @@ private:
     Index begin_, end_, first_face_;
     FaceLoops& out_;
     std::vector<OwnFace> own_;
+    std::unordered_map<Index, std::vector<OwnFace>> large_; // faces of large cells of earlier blocks
+    std::array<Index, 2> shared_by_{none, none};            // owner and cell whose shared faces are in by_smallest_
+    std::unordered_multimap<Index, Index> by_smallest_;     // smallest vertex -> index among the owner's faces
     std::vector<Other> others_;
     std::vector<Index> raw_, wanted_, loop_;
 };

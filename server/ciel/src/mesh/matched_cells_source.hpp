@@ -16,10 +16,12 @@ public:
 
     [[nodiscard]] Index cell_count() const { return cells_.cell_count(); }
     [[nodiscard]] Index face_count() const { return cells_.own_begin.back(); }
-    // Calls visit(number of corners, owner) for the faces of the cell.
+    // Calls visit(number of corners, owner) for the faces of the cell. A face with repeated vertices may have another
+    // number of corners in its other cell.
     template <class Visit>
     void for_faces_of(Index cell, Visit&& visit) const {
         cells_.for_faces(cell, [&](Index face, Index other) {
+            if (other == cell) return; // the cell has the face three times; two of them were matched
             visit(cells_.input.size(cells_.order[cell], face), other < cell ? other : cell);
         });
     }
