@@ -121,7 +121,7 @@ Values to_stored_order(ciel::ValuesView values, std::span<const ciel::Index> ori
 }
 
 ciel::FaceMeshView loaded_boundary(const Dataset& dataset, std::size_t mesh, std::size_t coordinates) {
-    const ciel::FaceMeshView boundary = dataset.mesh_arrays().boundary(mesh, coordinates);
+    ciel::FaceMeshView boundary = dataset.mesh_arrays().boundary(mesh, coordinates);
     if (boundary.loader != nullptr) boundary.loader->load(0, boundary.vertex_count());
     return boundary;
 }

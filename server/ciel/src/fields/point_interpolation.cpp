@@ -12,12 +12,15 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ciel {
 
 struct PointInterpolation::CellAtVertex {
     Index vertex, cell;
-    friend auto operator<=>(const CellAtVertex&, const CellAtVertex&) = default;
+    friend bool operator==(const CellAtVertex& a, const CellAtVertex& b) {
+        return a.vertex == b.vertex && a.cell == b.cell;
+    }
 };
 
 namespace {
@@ -89,7 +92,7 @@ std::vector<PointInterpolation::CellAtVertex> PointInterpolation::at_collapsed_f
         const std::vector<Index> corners = corners_of_cell(topology, beside.owner);
         if (!std::ranges::binary_search(corners, loop[0])) found.push_back({loop[0], beside.owner});
     }
-    std::ranges::sort(found);
+    std::ranges::sort(found, {}, [](const CellAtVertex& at) { return std::pair(at.vertex, at.cell); });
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }

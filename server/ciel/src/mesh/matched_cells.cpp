@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace ciel {
 
@@ -176,7 +177,7 @@ void MatchedCells::Data::list_own(Index cell, std::vector<OwnFace>& out) const {
     for_faces(cell, [&](Index face, Index other) {
         if (other > cell) out.push_back({other, face});
     });
-    std::ranges::sort(out);
+    std::ranges::sort(out, {}, [](const OwnFace& own) { return std::pair(own.other, own.face); });
 }
 
 void MatchedCells::Data::append_loop(Index cell, Index face, std::vector<Index>& out) const {

@@ -10,7 +10,6 @@ struct MatchedCells::Data {
     struct OwnFace {
         Index other; // stored cell on the other side, or none
         Index face;  // input face of the owner
-        friend auto operator<=>(const OwnFace&, const OwnFace&) = default;
     };
 
     explicit Data(const PolyhedraView& view) : input(view) {}
