@@ -1,6 +1,7 @@
 #include "geometry/slab_sink.hpp"
 
 #include "ciel/cell_limits.hpp"
+#include "ciel/of_this_thread.hpp"
 #include "ciel/sink_pieces.hpp"
 #include "ciel/threshold_surface.hpp"
 #include "ciel/vectors.hpp"
@@ -44,8 +45,10 @@ private:
     }
 
     [[nodiscard]] static std::vector<std::uint8_t>& taken_of_this_thread() {
-        static thread_local std::vector<std::uint8_t> taken;
-        return taken;
+        struct Taken {
+            std::vector<std::uint8_t> by_point;
+        };
+        return ciel::of_this_thread<Taken>().by_point;
     }
 
     // Prefers a corner without reversed triangles. A reversed triangle overlaps others, which are then blended twice.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/assemble.hpp"
+#include "ciel/of_this_thread.hpp"
 #include "import/source/input_grids.hpp"
 #include "store/format/values.hpp"
 
@@ -20,6 +21,10 @@ struct JoinedMesh {
         ciel::Index first_cell = 0;                         // running id of the member's first cell
         ciel::Index mesh_cell_begin = 0, mesh_cell_end = 0; // the member's cells in the joined mesh, end excluded
         int whole = -1;                                     // InputGrid::whole of the member
+    };
+    struct FacesOfCell { // of a standard cell
+        std::vector<std::uint64_t> offset;
+        std::vector<ciel::Index> vertex;
     };
     struct FlatCells { // cells of dimension 2 inside a volume
         std::size_t member = 0;
@@ -47,8 +52,7 @@ struct JoinedMesh {
     // Calls f(loop) for each face of the cell. f must not call for_loops.
     template <class F>
     void for_loops(std::size_t cell, F&& f) const {
-        static thread_local std::vector<std::uint64_t> offset; // of the faces of a standard cell
-        static thread_local std::vector<ciel::Index> vertex;
+        auto& [offset, vertex] = ciel::of_this_thread<FacesOfCell>();
         offset.assign(1, 0);
         vertex.clear();
         const std::uint64_t corners = corner_offset.empty() ? 0 : corner_offset[cell + 1] - corner_offset[cell];

@@ -9,11 +9,6 @@
 
 namespace ciel::detail {
 
-CutScratch& scratch_of_this_thread() {
-    static thread_local CutScratch scratch;
-    return scratch;
-}
-
 namespace {
 
 template <class T>

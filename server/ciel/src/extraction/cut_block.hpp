@@ -56,8 +56,6 @@ struct CutScratch {
     [[nodiscard]] std::span<const ActiveCell> active_cells() const { return std::span(cell).first(cells); }
 };
 
-[[nodiscard]] CutScratch& scratch_of_this_thread();
-
 struct BlockValues {
     ValuesView values; // by local vertex; NaN where a vertex has no value
     bool gaps = false; // whether some vertex has no value; cells with such a vertex are not cut

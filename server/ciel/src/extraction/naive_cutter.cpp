@@ -1,4 +1,5 @@
 // The paper's own baseline: has no list of active edges, and visits every cell of the mesh for every value.
+#include "ciel/of_this_thread.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/classify_vertices.hpp"
 #include "extraction/cutter.hpp"
@@ -23,7 +24,7 @@ public:
             for (std::size_t i = begin; i < end && !stop.stop_requested(); ++i) {
                 const Index b = active_[i];
                 const ValuesView values = field_->of_block(b);
-                CutScratch& scratch = scratch_of_this_thread();
+                CutScratch& scratch = of_this_thread<CutScratch>();
                 (void)classify(values, threshold, scratch, cut_[b]);
                 cut_block(topology_.blocks().cells(b), {values, field_->has_gaps(b), threshold, nu, decider_, {}, true},
                           scratch, cut_[b]);

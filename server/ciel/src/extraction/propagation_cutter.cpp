@@ -1,4 +1,5 @@
 // The Cutter of Algorithm 2 (paper): cuts the cells that Propagation (propagation.hpp) finds to be active at nu.
+#include "ciel/of_this_thread.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/classify_vertices.hpp"
 #include "extraction/cutter.hpp"
@@ -37,7 +38,7 @@ void PropagationCutter::update_block(Index b, double nu) {
     if (propagation_.settle(b)) cut.known = false;
     if (cut.known || propagation_.cells(b).empty()) return;
     const ValuesView values = field_->of_block(b);
-    CutScratch& scratch = scratch_of_this_thread();
+    CutScratch& scratch = of_this_thread<CutScratch>();
     const double threshold = propagation_.threshold();
     (void)classify(values, threshold, scratch, cut);
     cut_cells(topology_.blocks().cells(b), {values, field_->has_gaps(b), threshold, nu, decider_, {}},

@@ -1,4 +1,5 @@
 // A Cutter that keeps the cut of a block while the same vertices are high, unless a decider uses nu.
+#include "ciel/of_this_thread.hpp"
 #include "extraction/classify_vertices.hpp"
 #include "extraction/cutter.hpp"
 #include "fields/field_data.hpp"
@@ -35,7 +36,7 @@ bool SignatureCutter::update(double nu, const StopToken& stop) {
 void SignatureCutter::update_block(Index b, double threshold, double nu) {
     const Block& block = topology_.blocks().cells(b);
     ActiveBlock& cut = cut_[b];
-    CutScratch& scratch = scratch_of_this_thread();
+    CutScratch& scratch = of_this_thread<CutScratch>();
     const ValuesView values = field_->of_block(b);
     const bool gaps = field_->has_gaps(b);
     if (classify(values, threshold, scratch, cut) && !gaps) return;

@@ -1,6 +1,7 @@
 #include "extraction/surface_writer.hpp"
 
 #include "blocks/load_vertices.hpp"
+#include "ciel/of_this_thread.hpp"
 #include "extraction/edge_points.hpp"
 #include "extraction/polygon.hpp"
 #include "parallel/grain.hpp"
@@ -14,6 +15,10 @@ namespace {
 
 constexpr std::size_t most_blocks_per_task = 4;
 constexpr std::size_t ahead = 8; // number of points between a prefetch and its use
+
+struct PointNumbers {
+    std::vector<Index> point; // scratch of write_polygons
+};
 
 [[noreturn]] void refuse_ghost(Index owner) {
     fail("block " + std::to_string(owner) +
@@ -33,7 +38,7 @@ public:
         if (normals_ == Normals::gradient) field_.gradients.make_at(mesh_, field_, active_, cut_);
         parallel_for(active_.size(), fair_grain(active_.size(), most_blocks_per_task),
                      [this](std::size_t begin, std::size_t end) {
-                         static thread_local std::vector<Index> point;
+                         std::vector<Index>& point = of_this_thread<PointNumbers>().point;
                          for (std::size_t i = begin; i < end; ++i) {
                              const Block& block = blocks_.cells(active_[i]);
                              write_points(active_[i], block);

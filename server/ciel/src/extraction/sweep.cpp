@@ -1,6 +1,7 @@
 #include "ciel/sweep.hpp"
 
 #include "blocks/load_vertices.hpp"
+#include "ciel/of_this_thread.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/cut_block.hpp"
 #include "extraction/edge_points.hpp"
@@ -28,7 +29,7 @@ public:
         BlockValues in{
             values, field.has_gaps(b), field.threshold(nu), nu, how.decider, {}, how.algorithm == Algorithm::naive};
         if (how.algorithm == Algorithm::signatures) in.ranges = field.ranges.of(block, b, values);
-        CutScratch& scratch = scratch_of_this_thread();
+        CutScratch& scratch = of_this_thread<CutScratch>();
         if (cells)
             cut_cells_alone(block, in, *cells, scratch, cut_);
         else
@@ -51,15 +52,6 @@ private:
     std::vector<Vec3f> positions_;
 };
 
-BlockSlicer& block_slicer_of_this_thread() {
-    static thread_local BlockSlicer block_slicer;
-    return block_slicer;
-}
-
-} // namespace
-
-namespace {
-
 struct Pass {
     const Topology& topology;
     const FaceMeshView& mesh;
@@ -71,7 +63,7 @@ struct Pass {
     const StopToken& stop;
 
     void cut(Index b, std::size_t value, std::optional<std::span<const Index>> cells) const {
-        const BlockPolygons cut = block_slicer_of_this_thread().cut(mesh, field.data(), how, b, values[value], cells);
+        const BlockPolygons cut = of_this_thread<BlockSlicer>().cut(mesh, field.data(), how, b, values[value], cells);
         if (cut.polygon_count() != 0) on_cut(value, b, cut);
     }
 

@@ -2,6 +2,7 @@
 
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
+#include "ciel/of_this_thread.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ std::array<float, 2> CellLimits::of(Index cell) {
         cell_begin_ = blocks.numbers.cell[block_];
         cell_end_ = blocks.numbers.cell[block_ + 1];
     }
-    static thread_local CellLoops loops;
+    CellLoops& loops = of_this_thread<CellLoops>();
     read_loops(blocks.cells(block_), cell - cell_begin_, loops);
     std::array<float, 2> range = no_limits;
     for (const Index vertex : loops.vertex) {

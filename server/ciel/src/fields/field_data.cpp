@@ -2,6 +2,7 @@
 
 #include "blocks/blocks.hpp"
 #include "blocks/load_vertices.hpp"
+#include "ciel/of_this_thread.hpp"
 #include "fields/cell_fits.hpp"
 
 #include <algorithm>
@@ -61,9 +62,13 @@ void copy_block(const Block& block, const Values& values, Value* to) {
     for (std::size_t v = block.own_vertex_begin; v < end; ++v) *to++ = values.at(v);
 }
 
+struct Ghosts {
+    std::vector<Index> vertices; // scratch of read_block
+};
+
 template <class Value>
 void read_block(const Block& block, const ValueSource& source, Value* to) {
-    static thread_local std::vector<Index> ghosts;
+    std::vector<Index>& ghosts = of_this_thread<Ghosts>().vertices;
     ghosts.clear();
     block.ghost_vertex.for_each([&](Index vertex) { ghosts.push_back(vertex); });
     source.read(ghosts, std::span(to, ghosts.size()));

@@ -1,5 +1,6 @@
 #include "fields/gradient.hpp"
 
+#include "ciel/of_this_thread.hpp"
 #include "ciel/parallel.hpp"
 #include "fields/cell_fits.hpp"
 #include "fields/field_data.hpp"
@@ -37,10 +38,7 @@ struct Scratch {
     SolvedCells solved;                  // copied to Pass::solved_ without spare capacity
 };
 
-Scratch& gradient_scratch() {
-    static thread_local Scratch scratch;
-    return scratch;
-}
+Scratch& gradient_scratch() { return of_this_thread<Scratch>(); }
 
 struct AddSolved {
     const FaceMeshView& mesh;
