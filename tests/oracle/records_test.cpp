@@ -57,8 +57,7 @@ TEST_P(Records, OfABlockAreTheSameWhereverItLies) {
 INSTANTIATE_TEST_SUITE_P(Meshes, Records, testing::ValuesIn(all_meshes()),
                          [](const auto& test) { return test.param.name; });
 
-TEST_P(Records, MakeTheSameTopologyInAnotherPlace) {
-    const KernelMesh mesh(GetParam().make(), {32});
+void expect_the_same_in_another_place(const KernelMesh& mesh) {
     const std::vector<float> values = random_field(mesh.topology.counts().vertices, 11);
     const Topology copy = read_back(std::make_unique<CopiedRecords>(mesh.topology));
     EXPECT_EQ(all_operators(copy), all_operators(mesh.topology));
@@ -68,18 +67,17 @@ TEST_P(Records, MakeTheSameTopologyInAnotherPlace) {
     EXPECT_EQ(copy.tables(), mesh.topology.tables());
 }
 
+TEST_P(Records, MakeTheSameTopologyInAnotherPlace) {
+    expect_the_same_in_another_place(KernelMesh(GetParam().make(), {32}));
+}
+
 TEST(RecordsOfCollapsedCells, AreReadAgain) {
     Polyhedra input = hexahedra({{2, 1, 1}});
     for (std::size_t corner = input.face_offset[input.cell_offset[1]]; corner < input.face_vertex.size(); ++corner)
         input.face_vertex[corner] = 3; // the second cell is a point
     const KernelMesh mesh(input);
     ASSERT_EQ(mesh.topology.counts().cells, 2U);
-    const std::vector<float> values = random_field(mesh.topology.counts().vertices, 11);
-    const Topology copy = read_back(std::make_unique<CopiedRecords>(mesh.topology));
-    EXPECT_EQ(all_operators(copy), all_operators(mesh.topology));
-    EXPECT_EQ(
-        bit_difference(cut_in_all_ways(copy, mesh.mesh(), values), cut_in_all_ways(mesh.topology, mesh.mesh(), values)),
-        "");
+    expect_the_same_in_another_place(mesh);
 }
 
 // Gives the sections with the parts of corners an unknown id, so that readers skip them. Records of earlier versions
