@@ -1,6 +1,6 @@
 #include "store/write_blocks.hpp"
 
-#include "ciel/build_records.hpp"
+#include "ciel/record_sink.hpp"
 #include "store/files/files.hpp"
 #include "store/format/block_index.hpp"
 #include "store/format/checksum.hpp"

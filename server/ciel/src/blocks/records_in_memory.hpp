@@ -2,7 +2,7 @@
 #pragma once
 
 #include "blocks/record.hpp"
-#include "ciel/build_records.hpp"
+#include "ciel/record_sink.hpp"
 
 #include <algorithm>
 #include <array>

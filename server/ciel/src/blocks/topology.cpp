@@ -1,8 +1,8 @@
 #include "ciel/topology.hpp"
 
+#include "blocks/block_building.hpp"
 #include "blocks/block_tables.hpp"
 #include "blocks/blocks.hpp"
-#include "blocks/build_blocks.hpp"
 #include "blocks/check_records.hpp"
 #include "blocks/records_in_memory.hpp"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "blocks/block_records.hpp"
-#include "ciel/build_records.hpp"
+#include "ciel/record_sink.hpp"
 
 namespace ciel::detail {
 

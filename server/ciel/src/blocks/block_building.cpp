@@ -1,4 +1,4 @@
-#include "blocks/build_blocks.hpp"
+#include "blocks/block_building.hpp"
 
 #include "blocks/block_linker.hpp"
 #include "blocks/block_tables.hpp"
@@ -110,17 +110,21 @@ private:
         RecordBytes bytes;
     };
 
-    // After an exception, all threads stop, because the records of further blocks would wait in memory for nothing.
-    void build_until_none_is_left() try {
+    // When a thread ends, no thread takes another block. After an exception, the records of further blocks would wait
+    // in memory for nothing.
+    struct StopAll {
+        Building& building;
+        ~StopAll() { building.next_ = building.built_.size(); }
+    };
+
+    void build_until_none_is_left() {
+        const StopAll at_the_end{*this};
         BlockBuilder builder(source_);
         for (std::size_t b = next_++; b < built_.size(); b = next_++) {
             auto built = std::make_unique<BuiltBlock>(builder.build(cell_begin_[b], cell_begin_[b + 1]));
             for (const Linked& linked : link(b, std::move(built)))
                 put(linked.place, {linked.record.block, linked.record.kind, linked.record.make()});
         }
-    } catch (...) {
-        next_ = built_.size();
-        throw;
     }
     [[nodiscard]] std::vector<Linked> link(std::size_t b, std::unique_ptr<BuiltBlock> built) {
         const Locked lock(linking_);

@@ -1,6 +1,6 @@
 // Records that are built one by one: the same bytes as those of a topology in memory, from faces and from matched
 // cells.
-#include "ciel/build_records.hpp"
+#include "ciel/record_sink.hpp"
 #include "oracle/kernel_mesh.hpp"
 #include "support/copied_records.hpp"
 #include "support/meshes.hpp"
