@@ -5,6 +5,7 @@
 #include "import/values/seam_difference.hpp"
 #include "import/values/solver_ids.hpp"
 #include "import/values/step_arrays.hpp"
+#include "limits/peak_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -95,6 +96,7 @@ private:
         }
         for (const std::string& sentence : source_.lost()) lose(sentence);
         check_only_step(input_grids);
+        const std::uint64_t of_reader = peak_memory_.restart();
         const Fingerprint print = fingerprint(input_grids);
         const bool is_same =
             writer_ && print.cells == print_.cells && same_mesh(input_grids, print.positions != print_.positions, time);
@@ -105,6 +107,8 @@ private:
         const auto& arrays = arrays_.make(step_, mesh_, input_grids, topology, point_maker_);
         tell(0.9, "writing");
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
+        const std::uint64_t beyond = peak_memory_.bytes() - of_reader;
+        if (beyond > result_.memory.beyond) result_.memory = {of_reader, beyond, mesh_.input_cells};
     }
 
     // Returns false, and does not change mesh_, if the mesh cannot be built.
@@ -124,10 +128,12 @@ private:
         tell(0.7, "writing the mesh");
         const auto vertices = to_stored(gather_solver_ids(mesh_.members, FieldOf::points), mesh_.point_of_vertex);
         const auto cells = to_stored(gather_solver_ids(mesh_.members, FieldOf::cells), mesh_.cell_of_cell);
+        mesh_.positions = {}; // not needed while the blocks are built
         mesh_index_ = writer_->add_mesh(mesh_.cells->matched, mesh_.boundary, mesh_.point_of_vertex, mesh_.cell_of_cell,
                                         mesh_.groups, {vertices, cells});
         mesh_.cells.reset();
         coordinates_index_ = 0;
+        mesh_.positions = writer_->positions(mesh_index_, coordinates_index_);
         return true;
     }
 
@@ -160,6 +166,7 @@ private:
         }
         point_maker_.reset();
         coordinates_index_ = writer_->add_coordinates(mesh_index_, positions);
+        mesh_.positions = writer_->positions(mesh_index_, coordinates_index_);
         return true;
     }
 
@@ -211,6 +218,7 @@ private:
     std::string first_reason_; // error of the first lost step
     std::set<std::string> noted_;
     ConvertResult result_;
+    limits::PeakMemory peak_memory_;
 };
 
 } // namespace

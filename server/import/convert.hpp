@@ -20,11 +20,19 @@ struct Options {
     SourceOptions source;
 };
 
+// In bytes; of the step at which the import needed most beyond the reader.
+struct MemoryUse {
+    std::uint64_t reader = 0; // in use after the step had been read
+    std::uint64_t beyond = 0; // highest use while the step was written, less `reader`
+    std::uint64_t cells = 0;  // of the input
+};
+
 struct ConvertResult {
     std::vector<std::string> notes;
     std::vector<std::string> lost; // the sentences in `notes` that report data missing from the dataset
     std::uint64_t cells = 0;
     std::uint64_t bad_cells = 0;
+    MemoryUse memory;
 };
 
 // Writes the dataset options.output. Leaves out steps that cannot be read. Throws Error, and writes no dataset, if no

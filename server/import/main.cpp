@@ -1,5 +1,6 @@
-// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts it as a child process, and
-// reads "progress SHARE PHASE" and "note SENTENCE" lines on standard output and one error sentence on standard error.
+// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts it as a child process. It reads
+// "progress SHARE PHASE", "note SENTENCE" and "memory FIGURES" lines on standard output, and one error sentence on
+// standard error.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
 #include "import/listing.hpp"
@@ -94,6 +95,14 @@ int run_rewrite(const Options& options) {
                 something_lost);
 }
 
+void print_memory(const server::importer::MemoryUse& use) {
+    constexpr double megabyte = 1e6;
+    const auto cells = static_cast<double>(std::max<std::uint64_t>(use.cells, 1));
+    std::printf("memory %.0f MB after reading, at most %.0f MB more while writing (%.0f bytes a cell)\n",
+                static_cast<double>(use.reader) / megabyte, static_cast<double>(use.beyond) / megabyte,
+                static_cast<double>(use.beyond) / cells);
+}
+
 int run(const Options& options) {
     using namespace server::importer;
     install_cancel_handlers();
@@ -110,6 +119,7 @@ int run(const Options& options) {
     // The dataset is complete. Without this call, an earlier signal would make progress() throw.
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
+    print_memory(result.memory);
     progress(1.0, "done");
     std::vector<std::string> lost = result.lost;
     if (static_cast<double>(result.bad_cells) > most_bad_cells * static_cast<double>(result.cells))

@@ -37,16 +37,15 @@ std::uint64_t spare_address_space() {
     return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
-// Heap, stacks and allocations of drivers, but no memory pages of files.
+} // namespace
+
+std::uint64_t machine_memory() { return std::min(physical_memory(), group_memory().limit); }
+
 std::uint64_t private_resident_memory() {
     std::uint64_t size = 0, resident = 0, shared = 0;
     std::ifstream("/proc/self/statm") >> size >> resident >> shared;
     return (resident - std::min(resident, shared)) * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
-
-} // namespace
-
-std::uint64_t machine_memory() { return std::min(physical_memory(), group_memory().limit); }
 
 bool FreeMemory::is_worth_returning(std::uint64_t free, std::uint64_t resident) {
     constexpr std::uint64_t worth_it = std::uint64_t{32} << 20;

@@ -8,6 +8,9 @@ namespace server::limits {
 // In bytes. If the limit of the control group (a container, a service) is lower, returns this limit.
 [[nodiscard]] std::uint64_t machine_memory();
 
+// Returns the resident bytes of heap, stacks and drivers' allocations. Pages of files are not counted.
+[[nodiscard]] std::uint64_t private_resident_memory();
+
 // Bytes that this process can still allocate; the largest std::uint64_t if there is no limit.
 struct SpareMemory {
     std::uint64_t memory = 0;        // free or reclaimable, on the machine and in the control group

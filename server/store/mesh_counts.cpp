@@ -43,11 +43,11 @@ MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::TopologyCounts& 
     return info;
 }
 
-std::array<double, 6> bounds_of(const ciel::FaceMeshView& mesh) {
+std::array<double, 6> bounds_of(ciel::Vec3d origin, ciel::ValuesView positions) {
     std::array<double, 6> bounds;
     for (std::size_t axis = 0; axis < 3; ++axis)
-        bounds[2 * axis] = bounds[2 * axis + 1] = mesh.origin[axis] + mesh.positions[axis];
-    extend_bounds(bounds, mesh.origin, mesh.positions);
+        bounds[2 * axis] = bounds[2 * axis + 1] = origin[axis] + positions[axis];
+    extend_bounds(bounds, origin, positions);
     return bounds;
 }
 

@@ -9,9 +9,8 @@ namespace server::store {
 // `counts`: of the mesh's topology. `bounds`: xmin xmax ymin ymax zmin zmax.
 [[nodiscard]] MeshInfo count_mesh(const ciel::FaceMeshView& mesh, const ciel::TopologyCounts& counts,
                                   const std::array<double, 6>& bounds);
-// The mesh must have a vertex.
-[[nodiscard]] std::array<double, 6> bounds_of(const ciel::FaceMeshView& mesh);
-// `positions`: offsets from `origin`.
+// `positions`: offsets from `origin`. The mesh of bounds_of must have a vertex.
+[[nodiscard]] std::array<double, 6> bounds_of(ciel::Vec3d origin, ciel::ValuesView positions);
 void extend_bounds(std::array<double, 6>& bounds, ciel::Vec3d origin, ciel::ValuesView positions);
 // Returns bytes. Reads every record that the topology has not read yet.
 [[nodiscard]] std::uint64_t record_bytes(const ciel::Topology& topology);

@@ -8,6 +8,7 @@
 #include "store/format/value_ranges.hpp"
 #include "store/mesh_counts.hpp"
 #include "store/write_blocks.hpp"
+#include "store/written_points.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,7 @@ std::string write_whole(const fs::path& directory, ElementType type, std::span<c
     return checksum(bytes);
 }
 
-void check_sizes(const ciel::FaceMesh& mesh, const OriginalIds& original) {
-    const ciel::ValuesView positions = mesh.view().positions;
+void check_sizes(const ciel::FaceMesh& mesh, ciel::ValuesView positions, const OriginalIds& original) {
     if (mesh.cell_types.empty() || positions.empty()) throw ciel::Error("the mesh has no cells; nothing can be stored");
     if (positions.size() != 3 * original.vertex.size() || mesh.cell_types.size() != original.cell.size() ||
         mesh.owner.size() != mesh.neighbour.size() || mesh.face_offset.size() != mesh.owner.size() + 1 ||
@@ -58,6 +58,71 @@ void write_ranges(const fs::path& array, std::size_t index, const ValueRanges& r
     const fs::path file = layout::value_ranges(array, index);
     make_directory(file.parent_path());
     write_file(file, to_bytes(ranges, dataset_id, checksum_number(chunk)));
+}
+
+// The positions are written first, so that those of `cells` are not in memory while the blocks are built.
+MeshAttributes write_positions(const fs::path& directory, const NewMesh& added, const OriginalIds& original) {
+    const ciel::FaceMesh made = added.cells != nullptr ? added.cells->points() : ciel::FaceMesh{};
+    const ciel::FaceMesh& points = added.cells != nullptr ? made : added.mesh;
+    const ciel::ValuesView positions = points.view().positions;
+    check_sizes(added.mesh, positions, original);
+    write_group(directory);
+    make_directory(directory / "positions");
+    write_file(layout::chunk(directory / "positions", 0, 3), positions.bytes());
+    MeshAttributes attributes;
+    attributes.origin = points.origin;
+    attributes.coordinate_checksums.push_back(checksum(positions.bytes()));
+    attributes.info.vertices = positions.size() / 3;
+    attributes.info.double_positions = positions.has_doubles();
+    attributes.info.bounds = bounds_of(points.origin, positions);
+    return attributes;
+}
+
+// Writes arrays of one chunk, and adds their checksums to the attributes of the mesh.
+class ArrayFiles {
+public:
+    ArrayFiles(fs::path directory, const std::string& dataset_id, MeshAttributes& attributes)
+        : directory_(std::move(directory)), dataset_id_(dataset_id), attributes_(attributes) {}
+
+    void write(const std::string& name, ElementType type, std::span<const std::byte> bytes) {
+        attributes_.checksums[name] = write_whole(directory_ / name, type, bytes);
+    }
+    void write_ids(const std::string& name, ElementType type, std::span<const std::byte> ids) {
+        write(name, type, ids);
+        write_ranges(directory_ / name, 0, {{}, {}, stretch_checksums(ids)}, dataset_id_, ids);
+    }
+
+private:
+    fs::path directory_;
+    const std::string& dataset_id_;
+    MeshAttributes& attributes_;
+};
+
+// `mesh`: all faces, or the boundary faces.
+void write_faces_and_groups(const fs::path& directory, const ciel::FaceMeshView& mesh,
+                            std::span<const NamedGroup> groups, ArrayFiles& files, MeshAttributes& attributes) {
+    std::vector<std::vector<ciel::Index>> ids; // by group; empty for groups of cells
+    for (const NamedGroup& group : groups) {
+        check_group(group, group.of == Group::Of::faces ? mesh.face_count() : mesh.cell_count());
+        ids.push_back(group.of == Group::Of::faces ? group.ids : std::vector<ciel::Index>{});
+    }
+    const NumberedGroups numbered = number_groups(mesh, ids);
+    write_group(directory / layout::faces_group);
+    files.write("faces/face_offset", ElementType::u8, std::as_bytes(std::span(numbered.faces.face_offset)));
+    files.write("faces/face_vertex", ElementType::u4, std::as_bytes(std::span(numbered.faces.face_vertex)));
+    files.write("faces/owner", ElementType::u4, std::as_bytes(std::span(numbered.faces.owner)));
+    files.write("faces/neighbour", ElementType::u4, std::as_bytes(std::span(numbered.faces.neighbour)));
+    write_group(directory / "groups");
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        std::vector<ciel::Index> of_group = groups[i].of == Group::Of::faces ? numbered.ids[i] : groups[i].ids;
+        std::sort(of_group.begin(), of_group.end());
+        of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
+        const std::string name = "groups/" + std::to_string(i);
+        files.write(name, ElementType::u4, std::as_bytes(std::span(of_group)));
+        attributes.groups.push_back({groups[i].of, groups[i].name, groups[i].facts});
+        write_file(directory / name / layout::attributes_document,
+                   bytes_of(group_attributes_text(attributes.groups.back())));
+    }
 }
 
 } // namespace
@@ -95,54 +160,26 @@ ZarrArray values_shape(std::uint64_t steps, std::uint64_t items, const ArrayInfo
 MeshAttributes write_mesh(const fs::path& directory, const NewMesh& added, const OriginalIds& original,
                           std::span<const NamedGroup> groups, const SolverIds& solver, const std::string& dataset_id) {
     const ciel::FaceMesh& mesh = added.mesh;
-    check_sizes(mesh, original);
     check_solver_ids(solver, original.vertex.size(), original.cell.size());
-    MeshAttributes attributes;
-    attributes.origin = mesh.origin;
-    for (const fs::path& group : {directory, directory / "groups", directory / "arrays"}) write_group(group);
-    const std::array<double, 6> bounds = bounds_of(mesh.view());
+    MeshAttributes attributes = write_positions(directory, added, original);
+    write_group(directory / "arrays");
+    const std::array<double, 6> bounds = attributes.info.bounds;
     const ciel::TopologyCounts counts = added.cells != nullptr
                                             ? write_blocks(directory, *added.cells, dataset_id, bounds)
                                             : write_blocks(directory, mesh.view(), dataset_id, bounds);
-    attributes.info = count_mesh(mesh.view(), counts, bounds);
+    const WrittenPoints points(directory, attributes, 0);
+    const ciel::ValuesView positions = points.view().positions;
+    const ciel::FaceMeshView view = ciel::face_mesh_view(mesh.origin, positions, mesh.cell_types, mesh.face_offset,
+                                                         mesh.face_vertex, mesh.owner, mesh.neighbour);
+    attributes.info = count_mesh(view, counts, bounds);
 
-    const auto write = [&](const std::string& name, ElementType type, std::span<const std::byte> bytes) {
-        attributes.checksums[name] = write_whole(directory / name, type, bytes);
-    };
-    write("cell_types", ElementType::u1, std::as_bytes(std::span(mesh.cell_types)));
-    const auto write_ids = [&](const std::string& name, ElementType type, std::span<const std::byte> ids) {
-        write(name, type, ids);
-        write_ranges(directory / name, 0, {{}, {}, stretch_checksums(ids)}, dataset_id, ids);
-    };
-    write_ids("original_vertex", ElementType::u4, std::as_bytes(original.vertex));
-    write_ids("original_cell", ElementType::u4, std::as_bytes(original.cell));
-    std::vector<std::vector<ciel::Index>> ids; // by group; empty for groups of cells
-    for (const NamedGroup& group : groups) {
-        check_group(group, group.of == Group::Of::faces ? mesh.owner.size() : mesh.cell_types.size());
-        ids.push_back(group.of == Group::Of::faces ? group.ids : std::vector<ciel::Index>{});
-    }
-    const NumberedGroups numbered = number_groups(mesh.view(), ids);
-    write_group(directory / layout::faces_group);
-    write("faces/face_offset", ElementType::u8, std::as_bytes(std::span(numbered.faces.face_offset)));
-    write("faces/face_vertex", ElementType::u4, std::as_bytes(std::span(numbered.faces.face_vertex)));
-    write("faces/owner", ElementType::u4, std::as_bytes(std::span(numbered.faces.owner)));
-    write("faces/neighbour", ElementType::u4, std::as_bytes(std::span(numbered.faces.neighbour)));
-    if (!solver.vertex.empty()) write_ids("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
-    if (!solver.cell.empty()) write_ids("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-        std::vector<ciel::Index> of_group = groups[i].of == Group::Of::faces ? numbered.ids[i] : groups[i].ids;
-        std::sort(of_group.begin(), of_group.end());
-        of_group.erase(std::unique(of_group.begin(), of_group.end()), of_group.end());
-        const std::string name = "groups/" + std::to_string(i);
-        write(name, ElementType::u4, std::as_bytes(std::span(of_group)));
-        attributes.groups.push_back({groups[i].of, groups[i].name, groups[i].facts});
-        write_file(directory / name / layout::attributes_document,
-                   bytes_of(group_attributes_text(attributes.groups.back())));
-    }
-    make_directory(directory / "positions");
-    const ciel::ValuesView positions = mesh.view().positions;
-    write_file(layout::chunk(directory / "positions", 0, 3), positions.bytes());
-    attributes.coordinate_checksums.push_back(checksum(positions.bytes()));
+    ArrayFiles files(directory, dataset_id, attributes);
+    files.write("cell_types", ElementType::u1, std::as_bytes(std::span(mesh.cell_types)));
+    files.write_ids("original_vertex", ElementType::u4, std::as_bytes(original.vertex));
+    files.write_ids("original_cell", ElementType::u4, std::as_bytes(original.cell));
+    if (!solver.vertex.empty()) files.write_ids("solver_vertex", ElementType::i8, std::as_bytes(solver.vertex));
+    if (!solver.cell.empty()) files.write_ids("solver_cell", ElementType::i8, std::as_bytes(solver.cell));
+    write_faces_and_groups(directory, view, groups, files, attributes);
     const auto blocks = std::make_shared<const StoredBlocks>(directory, dataset_id);
     write_boxes(directory, blocks->topology(), dataset_id, 0, positions);
     return attributes;

@@ -46,14 +46,16 @@ public:
     std::size_t add_mesh(const ciel::FaceMesh& mesh, std::span<const ciel::Index> original_vertex,
                          std::span<const ciel::Index> original_cell, std::span<const NamedGroup> groups,
                          const SolverIds& solver = {});
-    // Writes a mesh whose list of faces need not fit the memory. `boundary`: cells.boundary(). The ids of groups of
-    // faces are those of `boundary`.
+    // Writes a mesh whose list of faces need not fit the memory. `boundary`: cells.boundary(), whose positions are not
+    // used. The ids of groups of faces are those of `boundary`.
     std::size_t add_mesh(const ciel::MatchedCells& cells, const ciel::FaceMesh& boundary,
                          std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
                          std::span<const NamedGroup> groups, const SolverIds& solver = {});
     // Valid until the next call of another function. Throws Error when the mesh does not exist, or when its blocks are
     // damaged.
     [[nodiscard]] const ciel::Topology& topology(std::size_t mesh);
+    // Returns the mapped offsets of all vertices from the mesh's origin. Throws Error when the mesh does not exist.
+    [[nodiscard]] Values positions(std::size_t mesh, std::size_t coordinates) const;
     // Returns whether a mesh can store these positions without rounding. A mesh stores floats if its first positions
     // were floats, else doubles.
     [[nodiscard]] bool holds(std::size_t mesh, ciel::ValuesView positions) const;

@@ -142,10 +142,10 @@ private:
 
 } // namespace
 
-std::vector<Patch> match_patches(const ciel::FaceMesh& boundary, std::span<const ciel::Index> point_of_vertex,
+std::vector<Patch> match_patches(const ciel::FaceMeshView& boundary, std::span<const ciel::Index> point_of_vertex,
                                  const JoinedMesh& joined, const std::vector<ciel::Index>& representative,
                                  const std::vector<InputGrid>& surfaces) {
-    Matcher matcher(boundary.view(), point_of_vertex, joined, representative);
+    Matcher matcher(boundary, point_of_vertex, joined, representative);
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
         std::vector<vtkIdType> cells(static_cast<std::size_t>(surfaces[i].data->GetNumberOfCells()));
         std::iota(cells.begin(), cells.end(), vtkIdType{0});

@@ -17,7 +17,7 @@ struct Patch {
 
 // Corners are compared after welding. A surface gets each face at most once. `representative`: Welds::representative.
 // `boundary`: as StepMesh::boundary. `point_of_vertex`: stored vertex -> running point.
-[[nodiscard]] std::vector<Patch> match_patches(const ciel::FaceMesh& boundary,
+[[nodiscard]] std::vector<Patch> match_patches(const ciel::FaceMeshView& boundary,
                                                std::span<const ciel::Index> point_of_vertex, const JoinedMesh& joined,
                                                const std::vector<ciel::Index>& representative,
                                                const std::vector<InputGrid>& surfaces);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <unordered_map>
+#include <utility>
 
 namespace server::importer {
 
@@ -187,6 +188,10 @@ void find_cells(JoinedMesh joined, StepMesh& mesh) {
         throw ciel::Error("none of its " + std::to_string(mesh.input_cells) +
                           " cells can be used: " + reason_text(matched.report().bad_cells.at(0).reason));
     mesh.boundary = matched.boundary();
+    if (mesh.boundary.double_positions.empty())
+        mesh.positions = store::Values(std::exchange(mesh.boundary.positions, {}));
+    else
+        mesh.positions = store::Values(std::exchange(mesh.boundary.double_positions, {}));
     mesh.point_of_vertex.assign(matched.original_vertex().begin(), matched.original_vertex().end());
     mesh.cell_of_cell.reserve(matched.original_cell().size());
     for (const ciel::Index cell : matched.original_cell())
@@ -195,7 +200,7 @@ void find_cells(JoinedMesh joined, StepMesh& mesh) {
 
 void name_groups(const InputGrids& input_grids, const std::vector<ciel::Index>& representative, StepMesh& mesh) {
     const JoinedMesh& joined = mesh.cells->joined;
-    mesh.patches = match_patches(mesh.boundary, mesh.point_of_vertex, joined, representative, input_grids.surfaces);
+    mesh.patches = match_patches(mesh.view(), mesh.point_of_vertex, joined, representative, input_grids.surfaces);
     name_patches(input_grids.surfaces, mesh);
     name_members(joined, mesh);
     name_zones(match_zones(mesh.cells->matched, mesh.view(), input_grids.zones), mesh);
@@ -241,7 +246,7 @@ void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved)
     for (std::size_t i = 0; i < mesh.members.size(); ++i) mesh.members[i].data = input_grids.volumes[i].data;
     if (!moved) return;
     point_positions(mesh.members, mesh.point_count).with([&](auto running) {
-        mesh.boundary.set_positions(reordered(running, mesh.point_of_vertex, 3));
+        mesh.positions = store::Values(reordered(running, mesh.point_of_vertex, 3));
     });
 }
 

@@ -23,7 +23,8 @@ struct StepMesh {
     std::vector<JoinedMesh::Member> members; // with the data of the step that was read last
     ciel::Index point_count = 0;
     std::unique_ptr<NewCells> cells;          // null after the mesh has been written
-    ciel::FaceMesh boundary;                  // positions and types of the cells, and the boundary faces
+    ciel::FaceMesh boundary;                  // types of the cells, and the boundary faces; without positions
+    store::Values positions;                  // x, y, z of each stored vertex; empty while the mesh is written
     std::vector<ciel::Index> point_of_vertex; // stored vertex -> running point
     std::vector<ciel::Index> cell_of_cell;    // stored cell -> running cell
     std::vector<Patch> patches;
@@ -34,7 +35,10 @@ struct StepMesh {
     std::uint64_t bad_cells = 0;
     std::vector<std::string> notes;
 
-    [[nodiscard]] ciel::FaceMeshView view() const { return boundary.view(); }
+    [[nodiscard]] ciel::FaceMeshView view() const {
+        return ciel::face_mesh_view(boundary.origin, positions, boundary.cell_types, boundary.face_offset,
+                                    boundary.face_vertex, boundary.owner, boundary.neighbour);
+    }
 };
 
 // Throws Error if no volume cell is usable, and for the errors of join_input_grids().

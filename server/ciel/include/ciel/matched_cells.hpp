@@ -22,7 +22,8 @@ public:
     [[nodiscard]] const AssembleReport& report() const;
     [[nodiscard]] std::span<const Index> original_vertex() const; // stored vertex -> input vertex
     [[nodiscard]] std::span<const Index> original_cell() const;   // stored cell -> input cell
-    // Returns the positions and cell types of the mesh, and its boundary faces in the order of numbered_faces().
+    [[nodiscard]] FaceMesh points() const; // the positions and cell types of the mesh, without faces
+    // Returns points() with the boundary faces in the order of numbered_faces().
     [[nodiscard]] FaceMesh boundary() const;
     // Returns the vertices of a cell in ascending order.
     [[nodiscard]] std::vector<Index> corners(Index cell) const;

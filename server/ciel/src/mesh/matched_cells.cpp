@@ -134,7 +134,7 @@ void number_faces(MatchedCells::Data& cells) {
     cells.own_begin.push_back(faces);
 }
 
-// In the order of the first use in the faces.
+// Numbers the vertices in the order of their first use in the faces.
 void number_vertices(MatchedCells::Data& cells) {
     cells.stored_vertex.assign(cells.input.vertex_count(), none);
     std::vector<MatchedCells::Data::OwnFace> own;
@@ -233,6 +233,8 @@ MatchedCells& MatchedCells::operator=(MatchedCells&&) noexcept = default;
 const AssembleReport& MatchedCells::report() const { return data_->report; }
 std::span<const Index> MatchedCells::original_vertex() const { return data_->original_vertex; }
 std::span<const Index> MatchedCells::original_cell() const { return data_->order; }
+
+FaceMesh MatchedCells::points() const { return data_->points(); }
 
 FaceMesh MatchedCells::boundary() const {
     FaceMesh mesh = data_->points();
