@@ -85,7 +85,7 @@ int append_files(const Options& options) {
 void add_append(CLI::App& app, Run& run) {
     const auto options = std::make_shared<Options>();
     CLI::App* command =
-        app.add_subcommand("append", "Add time steps to a dataset; open views of the dataset get the steps at once");
+        app.add_subcommand("append", "Add time steps to a dataset; open views of the dataset get the steps at once.");
     command->add_option("dataset", options->dataset, "NAME.ciel")->required();
     auto* from = command->add_option("--from", options->from,
                                      "Dataset OTHER.ciel on the same mesh, whose later steps are appended");

@@ -119,7 +119,7 @@ int run_command(const BenchCommand& command) {
 
 void add_bench(CLI::App& app, Run& run) {
     CLI::App* command =
-        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces, frames and volumes of a dataset");
+        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces, frames and volumes of a dataset.");
     command->footer(
         "Medians with quartiles; CPU time counts all threads. Compare figures of one run, on a machine that "
         "does nothing else.");

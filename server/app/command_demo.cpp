@@ -27,7 +27,7 @@ void add_demo(CLI::App& app, Run& run) {
     };
     const auto options = std::make_shared<Options>();
     CLI::App* command =
-        app.add_subcommand("demo", "Make the demo dataset: Voronoi cells and hexahedra, an unsteady vortex street");
+        app.add_subcommand("demo", "Make the demo dataset: Voronoi cells and hexahedra, an unsteady vortex street.");
     command->add_option("-o,--output", options->output, "NAME.ciel")->capture_default_str();
     command
         ->add_option("--coarseness", options->coarseness,

@@ -279,7 +279,7 @@ void add_info(CLI::App& app, Run& run) {
         bool as_json = false;
     };
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("info", "Print the contents of a dataset, and verify all its checksums");
+    CLI::App* command = app.add_subcommand("info", "Print the contents of a dataset, and verify all its checksums.");
     command->add_option("dataset", options->dataset, "NAME.ciel")->required();
     command->add_flag("--json", options->as_json,
                       "Print JSON; ambiguous_faces is counted at the first time of each array");

@@ -231,10 +231,10 @@ void add_render(CLI::App& app, Run& run) {
     command->add_option("--size", render->size, "Size of the picture in pixels.")
         ->type_name("WxH")
         ->capture_default_str();
-    command->add_option("--gl", render->gl, "What draws.")
+    command->add_option("--gl", render->gl, "OpenGL back end.")
         ->check(CLI::IsMember({"auto", "egl-device", "egl-surfaceless", "osmesa"}))
         ->capture_default_str();
-    command->add_option("-o,--output", render->output, "The picture.")->required()->type_name("FILE.png");
+    command->add_option("-o,--output", render->output, "The picture to write.")->required()->type_name("FILE.png");
     command->callback([&run, render] { run = [render] { return run_command(*render); }; });
 }
 

@@ -117,9 +117,12 @@ void print_address(const gateway::Listening& listening, bool token_is_given) {
 // Clients must not learn paths of the server.
 std::string without_folder(std::string sentence, const fs::path& folder) {
     if (!folder.has_relative_path()) return sentence; // a bare name, or the root folder
-    const std::string path = (folder / "").string();
+    const std::string path = (folder / "").string(), name = folder.filename().string();
     for (auto at = sentence.find(path); at != std::string::npos; at = sentence.find(path, at))
         sentence.erase(at, path.size());
+    for (auto at = sentence.find(folder.string()); at != std::string::npos;
+         at = sentence.find(folder.string(), at + name.size()))
+        sentence.replace(at, folder.string().size(), name);
     return sentence;
 }
 
@@ -182,7 +185,7 @@ int serve(ServeOptions& options) {
 void add_serve(CLI::App& app, Run& run) {
     auto options = std::make_shared<ServeOptions>();
     auto& gateway = options->gateway;
-    CLI::App* command = app.add_subcommand("serve", "Serve datasets to browsers and scripts");
+    CLI::App* command = app.add_subcommand("serve", "Serve datasets to browsers and scripts.");
     command->add_option("DATA", options->data, "datasets (NAME.ciel), folders of them, or files to import first");
     command->add_option("--data-dir", options->import_folder, "folder of imported datasets")->capture_default_str();
     command->add_option("--host", gateway.host, "address to listen on")->capture_default_str();

@@ -14,7 +14,7 @@ constexpr std::size_t phases = 40;
 constexpr std::size_t periods = 6; // number of periods to compute, after which the dye is periodic
 // The source has full strength up to the first radius, and zero strength from the second radius on.
 constexpr double source_inside = 1.25, source_outside = 1.9;
-// Per pass, in squared spacings; a larger value would be unstable. Widens filaments that are too thin for the mesh.
+// Diffusion in each pass, in squared spacings. It widens filaments that are too thin for the mesh. More is unstable.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;

@@ -128,7 +128,11 @@ struct Server::State {
             if (!result.passed) return know(result);
             if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
         };
-        if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
+        try {
+            if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
+        } catch (const std::exception& error) { // out of memory
+            know({.problem = store::sentence_for_clients(error)});
+        }
     }
     void know_of_end() { know({.problem = "the server is about to stop and draws no further pictures"}); }
 
@@ -207,6 +211,9 @@ frames::TestPictureResult Server::test_picture_by_now() {
     }
     state.test_picture_known.wait_until(lock, state.asked_since + test_picture_patience,
                                         [&] { return !state.test_picture_asked; });
+    if (state.test_picture_asked && Clock::now() - state.asked_since > state.options.hang_after)
+        return {.problem = "a drawing thread has not answered for " +
+                           std::to_string(state.options.hang_after.count()) + " s; restart the server"};
     return state.last_test_picture.value_or(
         frames::TestPictureResult{.problem = "the server has not drawn its test picture yet; ask again in a second"});
 }

@@ -28,6 +28,7 @@ struct ServerOptions {
     unsigned render_workers = 1;
     int still_samples = frames::default_still_samples; // per pixel
     bool allow_append = false;                         // clients may append steps if they have the token
+    std::chrono::seconds hang_after{60}; // longer than any frame; a worker that draws no test picture for longer hangs
     limits::Limits limits;
 };
 

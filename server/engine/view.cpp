@@ -107,20 +107,21 @@ std::optional<FrameRequest> View::take(bool still) {
         return {};
     }
     FrameRequest request;
-    request.version = still ? still_wanted_ : *mailbox_.take();
+    wire::PictureStream* const moving = !still && stream_ == Stream::image ? &pictures_now() : nullptr;
     request.size = size_;
     request.stream = stream_;
     request.still = still;
     request.gives_way = still && gave_way_ < most_ways_given;
     request.started = Clock::now();
-    if (!still && stream_ == Stream::image) {
-        request.moving = &pictures_now();
+    if (moving != nullptr) {
+        request.moving = moving;
         request.scale = preview_.scale(size_) * detail_.of(moving_).scale;
     }
     if (const auto held = ids_of_frame_.find(held_); stream_ == Stream::geometry && held != ids_of_frame_.end())
         request.held = {held_, held->second};
     stop_ = std::stop_source();
     request.stop = stop_.get_token();
+    request.version = still ? still_wanted_ : *mailbox_.take(); // last, so that an exception does not lose the version
     started_ = request.started;
     working_ = true;
     working_on_still_ = still;
@@ -223,8 +224,19 @@ void View::give_way() {
     finish();
 }
 
+// The view's state comes first, so that the view goes on if no memory is left for the texts.
 void View::fail(const FrameRequest& request, const std::string& sentence) {
     services_.metrics.count_failed_frame();
+    {
+        const std::scoped_lock lock(mutex_);
+        still_wanted_ = nullptr;
+        content_.clear();
+        finish();
+        if (!closed_) {
+            const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
+            connection_->send_text(sessions::notification_text(note));
+        }
+    }
     logging::log_event(logging::LogLevel::warning, "frame failed",
                        {{"session", logging::short_id(session_->id())},
                         {"view", id_},
@@ -232,14 +244,6 @@ void View::fail(const FrameRequest& request, const std::string& sentence) {
                         {"user", connection_->user},
                         {"remote", connection_->remote},
                         {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
-    const std::scoped_lock lock(mutex_);
-    still_wanted_ = nullptr;
-    content_.clear();
-    if (!closed_) {
-        const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
-        connection_->send_text(sessions::notification_text(note));
-    }
-    finish();
 }
 
 void View::finish() {

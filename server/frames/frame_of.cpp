@@ -3,12 +3,15 @@
 #include "geometry/clip.hpp"
 #include "geometry/viewpoint.hpp"
 #include "geometry/volume_cut.hpp"
+#include "scene/rules.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace server::frames {
 namespace {
+
+static_assert(render::most_clip_planes >= scene::most_clip_planes);
 
 struct Background {
     std::array<float, 3> top, bottom;

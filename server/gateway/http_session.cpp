@@ -32,7 +32,8 @@ constexpr int blank_lines = 8; // most blank lines skipped before a request; RFC
 class HttpSession {
 public:
     HttpSession(ConnectionStart start, GatewayState& state, asio::thread_pool& workers)
-        : start_(std::move(start)), state_(state), limits_(state.service.limits()), workers_(workers),
+        : start_(std::move(start)), state_(state), limits_(state.service.limits()),
+          body_held_(state.service.memory(), limits::Held::requests), workers_(workers),
           stream_(std::move(start_.socket)), deadline_(stream_), guess_pause_(stream_.get_executor()) {
         address_ = without_mapping(start_.peer.address()).to_string();
         remote_ = address_ + ":" + std::to_string(start_.peer.port());
@@ -164,6 +165,7 @@ private:
         }
         if (!resolved.refusal) {
             error_code error;
+            body_held_.note(longest_body(parser));
             co_await read_body(parser, error);
             if (error || deadline_.passed()) {
                 co_await answer_malformed(error);
@@ -178,6 +180,7 @@ private:
             tell_refusal(request, *resolved.refusal);
         const bool unread = !parser.is_done();
         Response response = co_await response_to(request, resolved);
+        body_held_.note(0);
         const bool keep_alive = parser.get().keep_alive() && !unread && !state_.draining && !is_last;
         const bool written =
             co_await write(std::move(response), request.method == "HEAD", parser.get().version(), keep_alive);
@@ -188,7 +191,7 @@ private:
     void tell_refusal(const Request& request, const Response& refusal) {
         const std::string status = std::to_string(refusal.status);
         if (refusal.status < 400 || refusal.status == 404) return;
-        if (!state_.log_limiter.allows(status + " " + request.address)) return;
+        if (!state_.log_limiter.allows(status + " " + logged_address(request.address))) return;
         logging::log_event(logging::LogLevel::warning, "a request was refused",
                            {{"status", status},
                             {"reason", refusal.body.substr(0, refusal.body.find('\n'))},
@@ -201,7 +204,7 @@ private:
 
     // Slows down guessing. If wrong_tokens_waiting answers are already delayed, answers 429 at once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
-        if (state_.log_limiter.allows("token " + request.address))
+        if (state_.log_limiter.allows("token " + logged_address(request.address)))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
                                {{"remote", request.address},
                                 {"user", request.user},
@@ -249,6 +252,11 @@ private:
         deadline_.stop();
         co_await websocket_session(std::move(stream_), std::move(message), std::move(client), start_.on_drain, state_,
                                    workers_);
+    }
+
+    [[nodiscard]] std::uint64_t longest_body(const Parser& parser) const {
+        return parser.chunked() ? limits_.message_bytes
+                                : std::min(parser.content_length().value_or(0), limits_.message_bytes);
     }
 
     asio::awaitable<void> read_body(Parser& parser, error_code& error) {
@@ -335,6 +343,7 @@ private:
     ConnectionStart start_;
     GatewayState& state_;
     const limits::Limits& limits_;
+    limits::Memory::Charge body_held_; // counts the body of the request in progress
     asio::thread_pool& workers_;
     beast::tcp_stream stream_;
     Deadline deadline_; // limits the reads from stream_

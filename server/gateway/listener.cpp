@@ -17,6 +17,7 @@ namespace {
 using asio::ip::tcp;
 
 constexpr std::chrono::milliseconds pause_when_short{10}; // connections that were closed to make room can end meanwhile
+constexpr std::chrono::milliseconds pause_after_failure{100};
 
 std::size_t count_files() {
     std::error_code none; // without /proc the count is 0, and is_short_of_files() uses descriptor numbers only
@@ -105,26 +106,47 @@ tcp::acceptor bind(asio::io_context& io, const asio::ip::address& address, unsig
     return acceptor;
 }
 
+namespace {
+
+void tell_not_accepted(GatewayState& state, const std::exception& failure) noexcept {
+    try {
+        if (state.log_limiter.allows("accept")) spdlog::warn("a connection was not accepted: {}", failure.what());
+    } catch (const std::bad_alloc&) { // there is no memory for the line either
+    }
+}
+
+// Returns the pause after which the next connection may be accepted.
+asio::awaitable<std::chrono::milliseconds> accept_connection(tcp::acceptor& acceptor, asio::io_context& io,
+                                                             std::size_t files_at_start, GatewayState& state,
+                                                             asio::thread_pool& workers) {
+    constexpr std::chrono::milliseconds none{0};
+    tcp::socket socket(asio::make_strand(io));
+    error_code error;
+    co_await acceptor.async_accept(socket, asio::redirect_error(asio::use_awaitable, error));
+    if (error == asio::error::operation_aborted) co_return none;
+    if (error) throw ciel::Error(error.message());
+    const bool is_short = is_short_of_files(socket, files_at_start, state);
+    start_session(std::move(socket), is_short, state, workers);
+    co_return is_short ? pause_when_short : none;
+}
+
+} // namespace
+
 asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_context& io, GatewayState& state,
                                          asio::thread_pool& workers) {
     const std::size_t files_at_start = count_files();
     asio::steady_timer pause(io);
     while (acceptor.is_open()) {
-        tcp::socket socket(asio::make_strand(io));
-        error_code error;
-        co_await acceptor.async_accept(socket, asio::redirect_error(asio::use_awaitable, error));
-        if (!error) {
-            const bool is_short = is_short_of_files(socket, files_at_start, state);
-            start_session(std::move(socket), is_short, state, workers);
-            if (is_short) {
-                pause.expires_after(pause_when_short);
-                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
-            }
-        } else if (error != asio::error::operation_aborted) { // no descriptor is free: wait until connections end
-            if (state.log_limiter.allows("accept")) spdlog::warn("a connection was not accepted: {}", error.message());
-            pause.expires_after(std::chrono::milliseconds(100));
-            co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, error));
+        auto wait = pause_after_failure;
+        try {
+            wait = co_await accept_connection(acceptor, io, files_at_start, state, workers);
+        } catch (const std::exception& failure) { // no descriptor or no memory is free; wait until connections end
+            tell_not_accepted(state, failure);
         }
+        if (wait.count() == 0) continue;
+        error_code ignored;
+        pause.expires_after(wait);
+        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 

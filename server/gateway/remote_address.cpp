@@ -65,6 +65,13 @@ std::string counting_key(const ip::address& address) {
     return ip::network_v6(v6, counted_bits).canonical().to_string();
 }
 
+std::string logged_address(const std::string& address) {
+    boost::system::error_code error;
+    const ip::address parsed = ip::make_address(address, error);
+    std::string key = error ? std::string() : counting_key(parsed);
+    return key.empty() ? address : key;
+}
+
 ip::address without_mapping(const ip::address& address) {
     return address.is_v6() && address.to_v6().is_v4_mapped() ? ip::make_address_v4(ip::v4_mapped, address.to_v6())
                                                              : address;

@@ -31,6 +31,9 @@ private:
 // because a host may choose the other bits.
 [[nodiscard]] std::string counting_key(const asio::ip::address& address);
 
+// Returns the counting_key() of an address in text form, or the address itself if its key is empty.
+[[nodiscard]] std::string logged_address(const std::string& address);
+
 // Converts an IPv4-mapped IPv6 address (::ffff:0:0/96) to IPv4. Returns other addresses unchanged.
 [[nodiscard]] asio::ip::address without_mapping(const asio::ip::address& address);
 

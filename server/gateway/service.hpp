@@ -66,7 +66,8 @@ public:
     [[nodiscard]] virtual Readiness readiness() = 0; // may block briefly
     [[nodiscard]] virtual std::string metrics() = 0; // Prometheus text exposition format 0.0.4
 
-    // These three are called in this order. announce_end() notifies clients and does not block.
+    // announce_end(), drain_frames() and drain() are called in this order; give_up() may be called during drain().
+    // announce_end() notifies clients and does not block.
     virtual void announce_end() = 0;
     virtual void drain_frames() = 0; // starts no new frames; returns when no frame is in progress
     virtual void drain() = 0;        // returns when all running calls have ended

@@ -28,7 +28,8 @@ constexpr unsigned last_close_code = 4999;
 class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     WebSocketSession(beast::tcp_stream stream, GatewayState& state, asio::thread_pool& workers)
-        : state_(state), workers_(workers), socket_(std::move(stream)), inbox_changed_(socket_.get_executor()),
+        : state_(state), workers_(workers), socket_(std::move(stream)),
+          inbox_held_(state.service.memory(), limits::Held::requests), inbox_changed_(socket_.get_executor()),
           send_queue_changed_(socket_.get_executor()), coroutine_ended_(socket_.get_executor()) {
         for (auto* timer : {&inbox_changed_, &send_queue_changed_, &coroutine_ended_})
             timer->expires_at(std::chrono::steady_clock::time_point::max());
@@ -75,6 +76,7 @@ private:
     };
     std::deque<Inbound> inbox_;
     std::size_t inbox_bytes_ = 0;
+    limits::Memory::Charge inbox_held_; // counts inbox_bytes_
     asio::steady_timer inbox_changed_, send_queue_changed_, coroutine_ended_;
     std::optional<websocket::close_reason> close_; // requested close; write() sends it after the waiting messages
     bool ended_ = false, closes_now_ = false, writing_ = false;
@@ -165,6 +167,7 @@ asio::awaitable<void> WebSocketSession::read() {
         if (close_) continue;
         if (socket_.got_text()) ++state_.counters.texts_received;
         inbox_bytes_ += buffer.size();
+        inbox_held_.note(inbox_bytes_);
         inbox_.push_back({beast::buffers_to_string(buffer.data()), socket_.got_text()});
         inbox_changed_.cancel();
         while (inbox_bytes_ > state_.service.limits().waiting_call_bytes && !ended_) co_await changed(inbox_changed_);
@@ -190,6 +193,7 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
         });
         if (!problem.empty()) request_close(close_code::unknown_data, problem);
         inbox_bytes_ -= message.bytes.size();
+        inbox_held_.note(inbox_bytes_);
         inbox_changed_.cancel();
     }
 }

@@ -19,10 +19,9 @@ struct ImportOption {
 
 inline constexpr ImportOption import_options[] = {
     {"inputs", "inputs", "INPUT...", true, true,
-     "Files or OpenFOAM case directories. Several inputs are parts of one mesh. A dataset NAME.ciel of an earlier CIEL "
-     "is "
-     "written again, with what datasets have now. For PLOT3D, give the grid and its "
-     "solutions; a grid alone also takes NAME.q from its directory."},
+     "Files or OpenFOAM case directories. Several inputs are joined into one mesh. A dataset NAME.ciel of an earlier "
+     "CIEL is converted to the current format. For PLOT3D, give the grid and its solutions; a grid alone also takes "
+     "NAME.q from its directory."},
     {"output", "-o,--output", "NAME.ciel", false, false, "The dataset to write."},
     {"list", "--list", "", false, false, "Print format, steps, blocks and arrays; convert nothing."},
     {"array", "-a,--array", "NAME", false, true, "Import this array only; may be repeated."},

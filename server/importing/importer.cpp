@@ -61,7 +61,8 @@ fs::path find_import_program() {
     for (std::string folder; std::getline(folders, folder, ':');)
         if (fs::path found = fs::path(folder) / program; ::access(found.c_str(), X_OK) == 0) return found;
     throw ciel::Error(
-        "ciel-import was not found beside ciel or on PATH; build ciel-import with -DCIEL_IMPORT=ON and VTK 9");
+        "ciel-import was not found beside ciel or on PATH; install the package ciel-import, or build it with "
+        "-DCIEL_IMPORT=ON and VTK 9");
 }
 
 double default_memory_gigabytes() { return default_share * static_cast<double>(limits::machine_memory()) / gigabyte; }

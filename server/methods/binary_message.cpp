@@ -2,6 +2,7 @@
 
 #include "engine/metrics.hpp"
 #include "engine/uploads.hpp"
+#include "logging/log.hpp"
 #include "methods/call_context.hpp"
 #include "methods/error_answer.hpp"
 #include "sessions/notify.hpp"
@@ -14,9 +15,18 @@ void add(engine::Server& server, const sessions::Connection& connection, const w
         (void)server.uploads().add(piece);
     } catch (...) {
         const nlohmann::json error = error_of_current_exception();
-        server.counters().count_error(error["code"].get<int>());
-        connection.send_text(sessions::notification_text(
-            protocol::AppendRefused{engine::to_text(piece.upload), error["data"]["reason"]}));
+        const int code = error["code"].get<int>();
+        const std::string reason = error["data"]["reason"], request = logging::next_request_id();
+        server.counters().count_error(code);
+        logging::log_event(logging::LogLevel::info, "call failed",
+                           {{"method", "append.piece"},
+                            {"code", code},
+                            {"reason", reason},
+                            {"request", request},
+                            {"user", connection.user},
+                            {"remote", connection.remote}});
+        connection.send_text(
+            sessions::notification_text(protocol::AppendRefused{engine::to_text(piece.upload), reason, request}));
     }
 }
 

@@ -185,13 +185,13 @@ private:
         const std::string reason = "the answer is " + std::to_string(bytes) +
                                    " bytes long, and a message on a WebSocket may have at most " +
                                    std::to_string(wire::longest_message) + " bytes; send the call with POST /rpc";
+        const json error = refuse_text(context_, too_long_error(reason))["error"];
         text_.clear();
         for (const auto& [id, as_it_came] : answered_) {
             if (is_batch_) text_ += text_.empty() ? '[' : ',';
-            text_ += text_of({{"jsonrpc", "2.0"}, {"id", id}, {"error", too_long_error(reason)}}, as_it_came);
+            text_ += text_of({{"jsonrpc", "2.0"}, {"id", id}, {"error", error}}, as_it_came);
         }
         if (is_batch_) text_ += ']';
-        context_.server.counters().count_error(protocol::AnswerTooLong);
     }
 
     struct Answered {

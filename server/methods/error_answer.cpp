@@ -48,7 +48,7 @@ json error_of_current_exception() {
         return error(protocol::Failed, "Failed", store::sentence_for_clients(e));
     } catch (const std::exception& e) {
         if (store::is_out_of_memory(e)) return limit_error(store::sentence_for_clients(e));
-        return error(-32603, "Internal error", e.what());
+        return error(-32603, "Internal error", store::sentence_for_clients(e));
     } catch (...) {
         return error(-32603, "Internal error", "an exception of an unknown type");
     }

@@ -11,7 +11,7 @@ struct CallContext; // methods/call_context.hpp
 // Returns whether the request's method runs in the queue of slow calls (x-slow in the contract).
 [[nodiscard]] bool is_slow(const nlohmann::json& request);
 
-// Counts and logs the error of a text without a valid request. Returns the answer to that text.
+// Counts and logs an error that belongs to a text and not to one of its requests. Returns the answer to that text.
 [[nodiscard]] nlohmann::json refuse_text(CallContext& context, nlohmann::json error);
 
 // Returns nothing for a notification. Never throws. Logs failures and slow calls. `waited`: seconds in the queue.

@@ -47,6 +47,13 @@ bool is_intact(const LoadedDataset& loaded) {
     }
 }
 
+// A dataset in memory, as a poll found it.
+struct Seen {
+    std::string name;
+    std::shared_ptr<LoadedDataset> loaded;
+    bool has_new_marker = false, came_back = false;
+};
+
 struct Known {
     fs::path directory;
     std::string problem;
@@ -128,6 +135,7 @@ struct Catalog::State {
     }
 
     void poll(const std::function<void(const std::string&)>& on_change);
+    void look_at(const Seen& seen, const std::function<void(const std::string&)>& on_change);
 };
 
 Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, std::size_t most_bytes,
@@ -255,11 +263,6 @@ std::size_t Catalog::give_back(Clock::time_point unused_since) {
 }
 
 void Catalog::State::poll(const std::function<void(const std::string&)>& on_change) {
-    struct Seen {
-        std::string name;
-        std::shared_ptr<LoadedDataset> loaded;
-        bool has_new_marker = false, came_back = false;
-    };
     std::vector<Seen> all;
     {
         const std::lock_guard lock(mutex);
@@ -271,24 +274,35 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
             entry.lost = Known::Lost::no;
         }
     }
-    for (const auto& [name, loaded, has_new_marker, came_back] : all) {
-        if (!has_new_marker && is_intact(*loaded)) { // reads the disk, which may be slow, while `mutex` is not locked
-            if (came_back) on_change(name);
-            continue;
-        }
-        bool tell = true;
+    for (const Seen& seen : all) {
         try {
-            tell = loaded->refresh();
-        } catch (const std::exception&) { // the next open() opens the new dataset or throws the reason
+            look_at(seen, on_change);
+        } catch (const std::exception&) { // memory is short; the next poll calls on_change
             const std::lock_guard lock(mutex);
-            if (const auto found = known.find(name); found != known.end() && found->second.loaded == loaded) {
-                forget(found->second.loaded);
-                found->second.lost = Known::Lost::told;
-                found->second.examined = {};
-            }
+            if (const auto found = known.find(seen.name); found != known.end())
+                found->second.lost = Known::Lost::came_back;
         }
-        if (tell) on_change(name);
     }
+}
+
+// Reads the disk, which may be slow, while `mutex` is not locked.
+void Catalog::State::look_at(const Seen& seen, const std::function<void(const std::string&)>& on_change) {
+    if (!seen.has_new_marker && is_intact(*seen.loaded)) {
+        if (seen.came_back) on_change(seen.name);
+        return;
+    }
+    bool tell = true;
+    try {
+        tell = seen.loaded->refresh();
+    } catch (const std::exception&) { // the next open() opens the new dataset or throws the reason
+        const std::lock_guard lock(mutex);
+        if (const auto found = known.find(seen.name); found != known.end() && found->second.loaded == seen.loaded) {
+            forget(found->second.loaded);
+            found->second.lost = Known::Lost::told;
+            found->second.examined = {};
+        }
+    }
+    if (tell) on_change(seen.name);
 }
 
 std::shared_ptr<void> Catalog::watch(std::function<void(const std::string&)> on_change) {
@@ -296,7 +310,10 @@ std::shared_ptr<void> Catalog::watch(std::function<void(const std::string&)> on_
         std::mutex mutex;
         std::condition_variable_any wake;
         while (!stop.stop_requested()) {
-            state_->poll(on_change);
+            try {
+                state_->poll(on_change);
+            } catch (const std::bad_alloc&) { // tries again in a second
+            }
             std::unique_lock lock(mutex);
             wake.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; });
         }

@@ -40,8 +40,8 @@ public:
     std::size_t give_back(Clock::time_point unused_since);
 
     // Starts a thread that checks once a second whether other processes have appended steps or replaced datasets. For
-    // each such dataset, it calls on_change(dataset name), which must not throw. open() then opens the new dataset.
-    // Destroy the returned handle to end the thread: before the catalog, and not within on_change.
+    // each such dataset, it calls on_change(dataset name); if that throws, again a second later. open() then opens the
+    // new dataset. Destroy the returned handle to end the thread: before the catalog, and not within on_change.
     [[nodiscard]] std::shared_ptr<void> watch(std::function<void(const std::string&)> on_change);
 
 private:

@@ -104,7 +104,8 @@ struct Writer::State {
 
     // Skips a file that has this content already, because replacing it would flush it to the disk.
     void put_text(const fs::path& file, const std::string& text) const {
-        if (appending() && fs::exists(file) && read_text(file, layout::marker_bytes) == text) return;
+        std::error_code error;
+        if (appending() && fs::exists(file, error) && read_text(file, layout::marker_bytes) == text) return;
         put(file, bytes_of(text));
     }
 
@@ -182,7 +183,8 @@ struct Writer::State {
     }
 
     [[nodiscard]] bool has_blocks(std::size_t mesh) const {
-        return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path());
+        std::error_code error;
+        return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path(), error);
     }
     [[nodiscard]] const ciel::Topology& topology_of(std::size_t mesh) {
         if (used && used->mesh == mesh) return used->topology;
@@ -328,6 +330,12 @@ std::size_t Writer::add_mesh(const ciel::MatchedCells& cells, const ciel::FaceMe
 const ciel::Topology& Writer::topology(std::size_t mesh) {
     (void)state_->mesh(mesh);
     return state_->topology_of(mesh);
+}
+
+Values Writer::positions(std::size_t mesh, std::size_t coordinates) const {
+    const auto points = std::make_shared<const WrittenPoints>(layout::mesh(state_->directory, mesh),
+                                                              state_->mesh(mesh).attributes, coordinates);
+    return {points->view().positions, points};
 }
 
 bool Writer::holds(std::size_t mesh, ciel::ValuesView positions) const {

@@ -21,6 +21,19 @@ from program import CIEL, ciel
 from serve_process import PATIENCE, Client, Server, client, iso, until
 
 
+TETRAHEDRON = """# vtk DataFile Version 3.0
+one cell
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 float
+0 0 0 1 0 0 0 1 0 0 0 1
+CELLS 1 5
+4 0 1 2 3
+CELL_TYPES 1
+10
+"""
+
+
 @pytest.fixture(scope="module")
 def box(tmp_path_factory):
     return box_dataset.write_box(tmp_path_factory.mktemp("data") / "box.ciel", n=24)
@@ -269,6 +282,19 @@ def test_one_bad_file_does_not_take_the_others_with_it(box, tmp_path):
         assert "dataset bad" in (log := (tmp_path / "log").read_text()) and str(tmp_path / "bad.vtu") in log
     status, text = failure(str(tmp_path / "bad.vtu"), "--data-dir", str(tmp_path / "imported"))
     assert status == 1 and "bad.vtu" in text.splitlines()[-1]
+
+
+def test_a_folder_that_cannot_hold_an_import_is_not_told(box, tmp_path):
+    imported = tmp_path / "imported"
+    (tmp_path / "good.vtk").write_text(TETRAHEDRON)
+    with Server(box, tmp_path / "good.vtk", "--data-dir", imported):
+        pass
+    (folder,) = imported.iterdir()
+    shutil.rmtree(folder)
+    folder.write_text("a file where the folder should be")
+    with Server(box, tmp_path / "good.vtk", "--data-dir", imported) as running:
+        problem = {entry["name"]: entry["problem"] for entry in running.call("dataset.list")}["good"]
+        assert "cannot be" in problem and str(imported) not in problem and str(tmp_path) not in problem
 
 
 def test_two_hundred_visitors_leave_nothing_behind(box):

@@ -1,5 +1,6 @@
 #include "engine/schedule/frame_workers.hpp"
 
+#include "engine/schedule/run_job.hpp"
 #include "limits/machine_memory.hpp"
 
 #include <algorithm>
@@ -133,7 +134,7 @@ void FrameWorkers::work(const std::stop_token& stop) {
     while (Job job = next(lock, stop, worker, rests)) {
         ++busy_;
         lock.unlock();
-        job(worker);
+        run_job([&] { job(worker); });
         job = nullptr; // destroys the objects of the job before the lock is taken
         lock.lock();
         --busy_;

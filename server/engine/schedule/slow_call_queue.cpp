@@ -1,5 +1,6 @@
 #include "engine/schedule/slow_call_queue.hpp"
 
+#include "engine/schedule/run_job.hpp"
 #include "limits/errors.hpp"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ void SlowCallQueue::work(const std::stop_token& stop) {
         Job job = take();
         ++running_;
         lock.unlock();
-        job(Outcome::run);
+        run_job([&] { job(Outcome::run); });
         job = nullptr; // destroys the objects of the job before the lock is taken
         lock.lock();
         --running_;

@@ -201,7 +201,7 @@ void MappedMesh::verify_checksums(const std::vector<std::string>& names) const {
 }
 
 bool MappedMesh::has_its_checksum(const std::string& name, const MappedFile& file) const {
-    return checksum(file.bytes()) == attributes_.checksums.at(name);
+    return checksum(file.bytes()) == checksum_of(name);
 }
 
 void MappedMesh::verify_faces() const {

@@ -152,7 +152,9 @@ void StoredBlocks::check_unchanged() const {
 void StoredBlocks::check_file(std::size_t kind, std::size_t number) const {
     File& file = *files_[kind][number];
     const auto now = file.in.changed_at();
-    if (now == file.changed_at || (file.in.is_deleted() && !std::filesystem::exists(file.in.path()))) return;
+    std::error_code error;
+    const bool was_removed = file.in.is_deleted() && !std::filesystem::exists(file.in.path(), error) && !error;
+    if (now == file.changed_at || was_removed) return;
     std::vector<std::uint64_t> record;
     for (const RecordPlace& place : index_.places[kind])
         if (place.file == number && !read_into(place, file, record)) lose(file);

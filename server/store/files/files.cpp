@@ -69,6 +69,8 @@ std::string sentence_for_clients(const std::exception& error) {
     if (is_out_of_memory(error))
         return "the server does not have enough memory for the request; ask for less at a time, or try again when "
                "other clients have left";
+    if (const auto* of_system = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+        return "a file of the server cannot be used: " + of_system->code().message();
     return error.what();
 }
 

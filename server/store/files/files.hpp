@@ -28,7 +28,7 @@ private:
 // Returns true if `error` means that memory could not be allocated or that a thread could not be started.
 [[nodiscard]] bool is_out_of_memory(const std::exception& error);
 // Returns what a server sends to its clients: for_clients() of a FileError, a sentence about memory if
-// is_out_of_memory(error), or error.what().
+// is_out_of_memory(error), the system's message without the path for an error of the file system, or error.what().
 [[nodiscard]] std::string sentence_for_clients(const std::exception& error);
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError

@@ -15,7 +15,8 @@ public:
              std::span<const ciel::Vec3d> places = {});
     [[nodiscard]] const ciel::Surface& surface() const { return surface_; }
     [[nodiscard]] const std::vector<NamedValues>& values() const { return values_; }
-    // The positions are as precise as the mesh. Returns an empty span if a surface was added without places.
+    // Returns the positions of the vertices, as precise as the mesh; an empty span if a surface was added without
+    // `places`.
     [[nodiscard]] std::span<const ciel::Vec3d> places() const {
         return places_.size() == surface_.positions.size() ? std::span<const ciel::Vec3d>(places_)
                                                            : std::span<const ciel::Vec3d>();

@@ -106,5 +106,13 @@ TEST(frame_workers, drain_finishes_what_runs_and_refuses_the_rest) {
     EXPECT_THROW(workers.run([](Worker&) { return 0; }), Error);
 }
 
+TEST(frame_workers, go_on_after_a_job_that_throws) {
+    limits::Memory memory = unlimited();
+    FrameWorkers workers(1, render::Backend::automatic, memory);
+    workers.post([](Worker&) { throw std::bad_alloc(); });
+    EXPECT_EQ(workers.run([](Worker&) { return 7; }), 7);
+    workers.drain();
+}
+
 } // namespace
 } // namespace server::engine

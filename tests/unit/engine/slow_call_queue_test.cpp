@@ -131,5 +131,17 @@ TEST(slow_calls, drain_gives_up_what_waits_and_finishes_what_runs) {
     EXPECT_THROW(calls->post_next(1, calls.note('b')), Error);
 }
 
+TEST(slow_calls, go_on_after_a_job_that_throws) {
+    limits::Limits limits;
+    limits.slow_calls = 1;
+    SlowCallQueue calls(limits);
+    std::latch done(1);
+    calls.post(1, [](SlowCallQueue::Outcome) { throw std::bad_alloc(); });
+    calls.post(1, [&](SlowCallQueue::Outcome) { done.count_down(); });
+    done.wait();
+    calls.drain();
+    EXPECT_EQ(calls.running(), 0U);
+}
+
 } // namespace
 } // namespace server::engine

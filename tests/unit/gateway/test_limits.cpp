@@ -70,6 +70,16 @@ public:
 };
 constexpr char text = 1, ping = 9, pong = 10;
 
+TEST(RequestBodies, AreCountedWhileTheyArrive) {
+    const RunningServer server(patient());
+    Socket sender(server), asker(server);
+    sender.send(half_a_body);
+    EXPECT_EQ(sender.receive(go_on.size()), go_on);
+    asker.send("GET /ciel/metrics HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n" + server.authorization() +
+               "\r\n");
+    EXPECT_THAT(asker.receive_all(), HasSubstr("ciel_memory_bytes{kind=\"requests\"} 900000\n"));
+}
+
 TEST(RequestSeconds, EndARequestThatStops) {
     const RunningServer server(with_request_seconds());
     for (const std::string& begun : {half_a_header, half_a_body}) {

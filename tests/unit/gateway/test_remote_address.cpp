@@ -37,6 +37,13 @@ TEST(CountingKey, IsAHostOrANetworkOf64BitsAndNeverLoopback) {
         EXPECT_EQ(counting_key(address(local)), "") << local;
 }
 
+TEST(LoggedAddress, IsTheCountingKeyOrTheAddressItself) {
+    EXPECT_EQ(logged_address("2001:db8:1:2:3:4:5:6"), logged_address("2001:db8:1:2::9"));
+    EXPECT_EQ(logged_address("192.0.2.1"), "192.0.2.1");
+    EXPECT_EQ(logged_address("127.0.0.1"), "127.0.0.1");
+    EXPECT_EQ(logged_address("none"), "none");
+}
+
 TEST(TrustedProxies, AreAddressesAndRanges) {
     const TrustedProxies proxies({"10.0.0.7", "172.30.0.0/16", "fd00::/8", "2001:db8::5"});
     for (const char* in : {"10.0.0.7", "172.30.255.1", "::ffff:172.30.0.9", "fd12::1", "2001:db8::5"})

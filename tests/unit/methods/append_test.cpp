@@ -213,6 +213,7 @@ TEST_F(Append, pieces_come_as_binary_messages_too) {
     EXPECT_EQ(note["method"], "append.refused");
     EXPECT_EQ(note["params"]["upload"], upload["upload"]);
     EXPECT_THAT(note["params"]["reason"].get<std::string>(), HasSubstr("gap"));
+    EXPECT_FALSE(note["params"]["request"].get<std::string>().empty());
     EXPECT_EQ(client_.send_bytes(message(upload, 0, 400, std::span(bytes).subspan(400))), std::nullopt);
     EXPECT_EQ(client_.call("append.commit", only(upload))["step"], 3);
     EXPECT_THAT(store::Dataset::open(folder_ / "box.ciel")->values("p", 3), testing::Each(2.5F));

@@ -159,6 +159,22 @@ TEST_F(TestPicture, is_told_from_the_last_result_while_the_worker_draws_for_othe
     EXPECT_TRUE(answer.get().passed);
 }
 
+TEST_F(TestPicture, fails_if_a_worker_hangs) {
+    engine::ServerOptions impatient = options();
+    impatient.hang_after = std::chrono::seconds(1);
+    engine::Server server(std::move(impatient));
+    ASSERT_TRUE(server.draw_test_picture().passed);
+    std::promise<void> gate;
+    server.frame_workers().post([opened = gate.get_future().share()](engine::Worker&) { opened.wait(); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a result stays valid
+    EXPECT_TRUE(server.test_picture_by_now().passed) << "the worker may be busy";
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    const frames::TestPictureResult result = server.test_picture_by_now();
+    EXPECT_FALSE(result.passed);
+    EXPECT_THAT(result.problem, HasSubstr("has not answered for 1 s"));
+    gate.set_value();
+}
+
 TEST_F(TestPicture, ends_where_nothing_is_drawn_any_more) {
     engine::Server server(options());
     ASSERT_TRUE(server.draw_test_picture().passed);

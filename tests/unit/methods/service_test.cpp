@@ -2,6 +2,7 @@
 #include "service.hpp"
 
 #include "limits/errors.hpp"
+#include "store/files/files.hpp"
 
 #include <gmock/gmock.h>
 
@@ -128,6 +129,17 @@ TEST_F(Growing, appended_steps_are_told) {
     EXPECT_EQ(told["method"], "dataset.changed");
     EXPECT_EQ(told["params"]["dataset"], "run");
     EXPECT_EQ(told["params"]["times"], json({0, 1, 2, 3}));
+}
+
+TEST_F(Growing, more_times_than_a_message_holds_are_not_told) {
+    const std::filesystem::path marker = own.path() / "run.ciel" / "steps.json";
+    json document = json::parse(store::read_text(marker, std::size_t{1} << 20));
+    for (int step = 3; step < 50'000; ++step) document["steps"].push_back({{"time", step + 0.123456789}, {"mesh", 0}});
+    store::replace_file(marker, store::bytes_of(document.dump()));
+    const json told = client.next_text();
+    EXPECT_EQ(told["method"], "dataset.changed");
+    EXPECT_FALSE(told["params"].contains("times"));
+    EXPECT_LT(told.dump().size(), 1000U);
 }
 
 TEST_F(Growing, a_dataset_that_goes_away_is_told) {

@@ -143,6 +143,7 @@ TEST_F(Methods, an_answer_too_long_for_a_message_is_refused_on_a_websocket_and_g
     EXPECT_LT(text.size(), wire::longest_message);
     EXPECT_EQ(json::parse(text)[0]["id"], "first");
     EXPECT_EQ(json::parse(text)[0]["error"]["code"], -32006);
+    EXPECT_FALSE(json::parse(text)[0]["error"]["data"]["request"].get<std::string>().empty());
 }
 
 } // namespace

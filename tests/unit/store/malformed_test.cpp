@@ -398,6 +398,13 @@ TEST(Damaged, AReplacedDatasetIsNotMistakenForAGrownOne) {
     EXPECT_THAT(owner, testing::ElementsAreArray(before)) << "a mapping outlives its file";
 }
 
+TEST(SentenceForClients, HasNoPathOfAFileSystemError) {
+    const fs::filesystem_error error("status", "/srv/data/box.ciel",
+                                     std::make_error_code(std::errc::permission_denied));
+    EXPECT_THAT(sentence_for_clients(error),
+                testing::AllOf(testing::HasSubstr("Permission denied"), testing::Not(testing::HasSubstr("/srv"))));
+}
+
 TEST(Damaged, ALazyArrayIsAnErrorUntilItsChunkStands) {
     const test::Folder scratch;
     const fs::path directory = scratch / "box.ciel";

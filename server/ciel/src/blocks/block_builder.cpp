@@ -48,7 +48,7 @@ void BlockBuilder::sort_cells() {
     }
 }
 
-// The twins of the half-edges of standard cells are numbered after these half-edges (BlockMatesOf::mate).
+// The twins of standard cells get the ids after the half-edges (BlockMatesOf::mate), so both together must fit.
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
