@@ -118,8 +118,8 @@ int run_command(const BenchCommand& command) {
 } // namespace
 
 void add_bench(CLI::App& app, Run& run) {
-    CLI::App* command =
-        app.add_subcommand("bench", "Measure memory, preprocessing, slices, surfaces, frames and volumes of a dataset.");
+    CLI::App* command = app.add_subcommand(
+        "bench", "Measure memory, preprocessing, slices, surfaces, frames and volumes of a dataset.");
     command->footer(
         "Medians with quartiles; CPU time counts all threads. Compare figures of one run, on a machine that "
         "does nothing else.");

@@ -1,5 +1,6 @@
 // ciel import INPUT... -o NAME.ciel: runs ciel-import within limits and reports its progress.
 #include "app/commands.hpp"
+#include "app/import_folder.hpp"
 #include "app/import_view.hpp"
 
 #include <CLI/CLI.hpp>
@@ -68,10 +69,13 @@ int run_command(const ImportCommand& import) {
     importing::ImportListener listener = view.listener();
     if (list) listener.progress = [](double, const std::string&) {};
     const CancelOnSignal signals;
-    const importing::ImportEnd end = importing::run_import(import.values, import.limits, listener, signals.cancelled());
+    importing::ImportValues values = import.values;
+    if (values["late-folder"].empty()) values["late-folder"] = {late_folder_in(default_import_folder()).string()};
+    const importing::ImportEnd end = importing::run_import(values, import.limits, listener, signals.cancelled());
     view.clear();
     if (!end.problem.empty()) std::cerr << "ciel: " << end.problem << '\n';
-    if (!list && (end.exit_code == 0 || end.exit_code == 3)) std::printf("wrote %s\n", output.back().c_str());
+    const std::string& written = output.empty() ? import.values.at("inputs").front() : output.back();
+    if (!list && (end.exit_code == 0 || end.exit_code == 3)) std::printf("wrote %s\n", written.c_str());
     return end.exit_code;
 }
 

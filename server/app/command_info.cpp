@@ -1,6 +1,7 @@
 // ciel info: prints the contents of a dataset. Reads every chunk and thereby verifies every checksum.
 #include "annotations/ticks.hpp"
 #include "app/commands.hpp"
+#include "app/import_folder.hpp"
 #include "store/cell_extremes.hpp"
 #include "store/dataset.hpp"
 #include "store/mesh_counts.hpp"
@@ -23,7 +24,7 @@ using nlohmann::json;
 using store::Dataset;
 
 struct Checksums {
-    std::uint64_t verified = 0, absent = 0, lazy = 0;
+    std::uint64_t verified = 0, absent = 0, late = 0;
 };
 
 Checksums verify_all(const Dataset& dataset) {
@@ -31,7 +32,7 @@ Checksums verify_all(const Dataset& dataset) {
     Checksums sums;
     for (const store::Step& step : dataset.steps())
         for (const auto& [name, array] : step.arrays)
-            ++(array.lazy ? sums.lazy : array.has_checksum ? sums.verified : sums.absent);
+            ++(array.late ? sums.late : array.has_checksum ? sums.verified : sums.absent);
     return sums;
 }
 
@@ -51,7 +52,7 @@ json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
         const store::Step& at = dataset.steps()[step];
-        if (const auto found = at.arrays.find(array.name); found != at.arrays.end() && !found->second.lazy)
+        if (const auto found = at.arrays.find(array.name); found != at.arrays.end() && !found->second.late)
             return store::count_ambiguous_faces(dataset, at, dataset.values(array.name, step));
     }
     return nullptr;
@@ -70,6 +71,7 @@ json array_json(const Dataset& dataset, const store::ArrayInfo& array) {
         times.push_back(step.time);
         invalid += found->second.invalid;
         missing += found->second.missing;
+        if (found->second.late) continue;
         const auto& [low, high] = found->second.range;
         range = range.is_null() ? json{low, high}
                                 : json{std::min(low, range[0].get<double>()), std::max(high, range[1].get<double>())};
@@ -146,7 +148,7 @@ json report(const Dataset& dataset) {
               {"topology", "verified"},
               {"verified", sums.verified},
               {"without_checksum", sums.absent},
-              {"not_yet_extracted", sums.lazy}}}};
+              {"late", sums.late}}}};
 }
 
 // For example ", wall: U noSlip, p zeroGradient".
@@ -268,7 +270,7 @@ void print(const json& info) {
     std::cout << "checksums\n";
     line("topology", "verified");
     line("values", grouped(sums["verified"]) + " chunks verified, " + grouped(sums["without_checksum"]) +
-                       " without checksum, " + grouped(sums["not_yet_extracted"]) + " not yet extracted");
+                       " without checksum, " + grouped(sums["late"]) + " not yet read from the source");
 }
 
 } // namespace
@@ -285,7 +287,8 @@ void add_info(CLI::App& app, Run& run) {
                       "Print JSON; ambiguous_faces is counted at the first time of each array");
     command->callback([options, &run] {
         run = [options] {
-            const json info = report(*Dataset::open(options->dataset));
+            const json info = report(*Dataset::open(options->dataset, store::LackingRanges::computed, std::nullopt,
+                                                    late_folder_in(default_import_folder())));
             if (options->as_json)
                 std::cout << info.dump(2) << '\n';
             else

@@ -1,6 +1,7 @@
 // ciel serve [DATA ...]: imports what is needed and serves the datasets.
 #include "app/commands.hpp"
 #include "app/engine_service.hpp"
+#include "app/import_folder.hpp"
 #include "app/import_view.hpp"
 #include "app/limit_options.hpp"
 #include "app/scene_options.hpp"
@@ -9,6 +10,8 @@
 #include "engine/server.hpp"
 #include "gateway/gateway.hpp"
 #include "importing/import_missing.hpp"
+#include "importing/step_reader.hpp"
+#include "importing/without_folder.hpp"
 #include "logging/log.hpp"
 #include "render/renderer.hpp"
 
@@ -18,19 +21,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <mutex>
 #include <spdlog/spdlog.h>
 
 namespace server::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path default_import_folder() {
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
-        return fs::path(cache) / "ciel";
-    const char* home = std::getenv("HOME");
-    return fs::path(home != nullptr ? home : ".") / ".cache" / "ciel";
-}
 
 struct ServeOptions {
     std::vector<fs::path> data;
@@ -114,26 +111,31 @@ void print_address(const gateway::Listening& listening, bool token_is_given) {
               << (token_is_given ? "" : "?token=" + listening.token) << std::endl;
 }
 
-// Clients must not learn paths of the server.
-std::string without_folder(std::string sentence, const fs::path& folder) {
-    if (!folder.has_relative_path()) return sentence; // a bare name, or the root folder
-    const std::string path = (folder / "").string(), name = folder.filename().string();
-    for (auto at = sentence.find(path); at != std::string::npos; at = sentence.find(path, at))
-        sentence.erase(at, path.size());
-    for (auto at = sentence.find(folder.string()); at != std::string::npos;
-         at = sentence.find(folder.string(), at + name.size()))
-        sentence.replace(at, folder.string().size(), name);
-    return sentence;
-}
-
 void add_failed(engine::Server& server, const std::vector<importing::Servable>& servable) {
     for (const auto& each : servable) {
         if (each.problem.empty()) continue;
         spdlog::error("not imported: {}", each.problem);
-        const std::string sentence = without_folder(each.problem, each.input.parent_path());
-        server.catalog().add_failed(each.path, without_folder(sentence, each.path.parent_path()));
+        const std::string sentence = importing::without_folder(each.problem, each.input.parent_path());
+        server.catalog().add_failed(each.path, importing::without_folder(sentence, each.path.parent_path()));
     }
 }
+
+// Tells the server that late steps have been read, from any thread, while the server exists.
+class LateSteps {
+public:
+    void tell(const std::string& dataset) {
+        const std::scoped_lock lock(mutex_);
+        if (server_ != nullptr) server_->late_steps_changed(dataset);
+    }
+    void set(engine::Server* server) {
+        const std::scoped_lock lock(mutex_);
+        server_ = server;
+    }
+
+private:
+    std::mutex mutex_;
+    engine::Server* server_ = nullptr;
+};
 
 void log_renderer(engine::Server& server) {
     const auto result = server.draw_test_picture();
@@ -167,7 +169,14 @@ int serve(ServeOptions& options) {
     server_options.limits = options.limits;
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
+    LateSteps late_steps;
+    const fs::path late_folder = late_folder_in(options.import_folder);
+    importing::StepReader step_reader(late_folder, [&](const std::string& dataset) { late_steps.tell(dataset); });
+    server_options.late = {
+        late_folder, [&](const store::Dataset& dataset, std::size_t step) { return step_reader.ask(dataset, step); }};
     engine::Server server(std::move(server_options));
+    late_steps.set(&server);
+    const std::shared_ptr<void> until_the_end(nullptr, [&](void*) { late_steps.set(nullptr); }); // before ~Server
     add_failed(server, servable);
     options.gateway.version = CIEL_VERSION;
     EngineService service(server);

@@ -1,6 +1,8 @@
 #include "app/scene_options.hpp"
 
 #include "app/commands.hpp"
+#include "app/import_folder.hpp"
+#include "app/import_view.hpp"
 #include "ciel/printable.hpp"
 
 #include <CLI/CLI.hpp>
@@ -61,6 +63,24 @@ nlohmann::json volume_layer(const std::string& text) {
     nlohmann::json& points = layer["opacity_points"] = nlohmann::json::array();
     for (std::size_t i = 0; i < pairs.size(); i += 2) points.push_back({pairs[i], pairs[i + 1]});
     return layer;
+}
+
+// The scene's arrays may be late at its step. All arrays of the step are then read from the source of the import.
+void read_late_step(const scene::Scene& scene, store::LoadedDataset& loaded) {
+    const auto dataset = loaded.dataset();
+    if (dataset->steps().empty()) return;
+    const std::size_t step = dataset->step_at(scene.time);
+    if (dataset->late_chunks(step).empty()) return;
+    ImportView view(stderr);
+    const CancelOnSignal signals;
+    const importing::ImportEnd end =
+        importing::run_import({{"inputs", {dataset->directory().string()}},
+                               {"step", {std::to_string(step)}},
+                               {"late-folder", {late_folder_in(default_import_folder()).string()}}},
+                              {}, view.listener(), signals.cancelled());
+    view.clear();
+    if (!end.problem.empty()) throw ciel::Error(end.problem);
+    (void)loaded.refresh();
 }
 
 } // namespace
@@ -124,7 +144,10 @@ nlohmann::json SceneOptions::document(const store::Dataset& loaded) const {
 }
 
 std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path) {
-    return std::make_shared<store::LoadedDataset>(store::Dataset::open(path), field_cache_bytes);
+    return std::make_shared<store::LoadedDataset>(store::Dataset::open(path, store::LackingRanges::computed,
+                                                                       std::nullopt,
+                                                                       late_folder_in(default_import_folder())),
+                                                  field_cache_bytes);
 }
 
 scene::Scene parse_scene(const nlohmann::json& document) {
@@ -138,6 +161,7 @@ scene::Scene parse_scene(const nlohmann::json& document) {
 }
 
 scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::LoadedDataset> loaded) {
+    read_late_step(scene, *loaded);
     try {
         return {std::move(scene), std::move(loaded)};
     } catch (const scene::Invalid& error) {

@@ -71,6 +71,11 @@ void show_frame(View& view, Worker& worker, bool still) {
     try {
         const auto geometry = view.session().geometry(*request->version, request->stop, !request->still);
         if (!geometry) return view.give_up();
+        if (!geometry->awaited.empty()) {
+            view.tell_lacking(*request, lacking_in(*geometry, request->version->scene().lighting, request->stream),
+                              *geometry, std::nullopt);
+            return view.wait();
+        }
         wire::FrameHeader header = header_of(view, *request, *geometry);
         header.extract_ms = elapsed_ms(request->started);
         const auto drawing = Clock::now();

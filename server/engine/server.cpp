@@ -54,7 +54,7 @@ struct Server::State {
 
     explicit State(ServerOptions chosen)
         : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes,
-                                              options.limits.dataset_memory_bytes, options.file_access),
+                                              options.limits.dataset_memory_bytes, options.file_access, options.late),
           memory(
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
               [this] {
@@ -185,6 +185,12 @@ void Server::look_for_steps(const std::string& name, store::LoadedDataset& datas
     if (dataset.refresh()) state_->tell_steps(name);
 }
 
+void Server::late_steps_changed(const std::string& name) {
+    for (const auto& loaded : state_->catalog.loaded())
+        if (loaded->dataset()->info().name == name) (void)loaded->refresh();
+    state_->tell_steps(name);
+}
+
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }
 
 frames::TestPictureResult Server::draw_test_picture() {
@@ -212,8 +218,8 @@ frames::TestPictureResult Server::test_picture_by_now() {
     state.test_picture_known.wait_until(lock, state.asked_since + test_picture_patience,
                                         [&] { return !state.test_picture_asked; });
     if (state.test_picture_asked && Clock::now() - state.asked_since > state.options.hang_after)
-        return {.problem = "a drawing thread has not answered for " +
-                           std::to_string(state.options.hang_after.count()) + " s; restart the server"};
+        return {.problem = "a drawing thread has not answered for " + std::to_string(state.options.hang_after.count()) +
+                           " s; restart the server"};
     return state.last_test_picture.value_or(
         frames::TestPictureResult{.problem = "the server has not drawn its test picture yet; ask again in a second"});
 }

@@ -28,6 +28,7 @@ struct ServerOptions {
     unsigned render_workers = 1;
     int still_samples = frames::default_still_samples; // per pixel
     bool allow_append = false;                         // clients may append steps if they have the token
+    store::LateSteps late;                             // reads late arrays from their sources
     std::chrono::seconds hang_after{60}; // longer than any frame; a worker that draws no test picture for longer hangs
     limits::Limits limits;
 };
@@ -60,6 +61,8 @@ public:
 
     // If steps were appended to the dataset, notifies clients at once, before the catalog's watch finds the steps.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
+    // Late arrays have been read, or cannot be read: their views are drawn again, with what the dataset has now.
+    void late_steps_changed(const std::string& name);
     // Until connection_closed(), the connection gets the notification `dataset.changed` when steps are appended.
     void connection_opened(std::shared_ptr<sessions::Connection> connection);
     void connection_closed(std::uint64_t connection_id);

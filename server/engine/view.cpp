@@ -216,6 +216,12 @@ void View::give_up() {
     finish();
 }
 
+void View::wait() {
+    const std::scoped_lock lock(mutex_);
+    still_wanted_ = nullptr;
+    finish();
+}
+
 void View::give_way() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);

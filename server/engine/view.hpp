@@ -63,7 +63,8 @@ public:
     // dropped and made again later. Throws LimitReached if the frame is larger than the room in the server's memory.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds ids,
                  const FrameTimes& times);
-    void give_up();  // cancelled: the frame was superseded, or the view is closed
+    void give_up(); // cancelled: the frame was superseded, or the view is closed
+    void wait();    // arrays are being read from the source: the client keeps its frame; a new version is offered later
     void give_way(); // the still picture let other views go first; take() returns it again later
     void fail(const FrameRequest& request, const std::string& sentence);
 

@@ -132,7 +132,7 @@ bool is_finite(const store::Step& step, const std::string& array) {
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
     const auto cells = step.arrays.find("cell:" + array);
     if (cells != step.arrays.end() && cells->second.invalid > 0) return false;
-    return std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
+    return !written->second.late && std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
 // A run that diverged is shown at a step before it diverged. REQUIRES: at least one step.

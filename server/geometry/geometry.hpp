@@ -96,12 +96,15 @@ struct Geometry {
     std::size_t triangles = 0, bytes = 0;
     // One sentence per layer that is left out or uncolored because its array has no usable values at this step.
     std::vector<std::string> lacking;
+    std::string awaited; // why a layer waits for arrays that are being read from the source; empty: no layer waits
     std::vector<std::string> remarks; // one sentence per part of the scene that is shown differently or only in part
     std::vector<EmptyLayer> empty;    // visible layers that show nothing; they have no legend
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);
 
-// Throws store::NotWritten if `lacking` is not empty: a surface file cannot contain a remark.
+// Throws store::NotYetRead if a layer waits for arrays that are being read from the source.
+void require_read(const Geometry& geometry);
+// Throws like require_read, and store::NotWritten if `lacking` is not empty: a surface file cannot contain a remark.
 void require_complete(const Geometry& geometry);
 
 } // namespace server::geometry

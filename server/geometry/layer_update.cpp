@@ -70,6 +70,8 @@ void LayerUpdate::count(std::size_t before, std::size_t after) {
 
 void LayerUpdate::lack(const scene::Layer& layer, const char* what, const store::NotWritten& missing) const {
     out.lacking.push_back("layer " + layer.id + " " + what + ": " + missing.what());
+    if (const auto* late = dynamic_cast<const store::NotYetRead*>(&missing); late != nullptr && !late->has_failed)
+        out.awaited = late->what();
 }
 
 void LayerUpdate::leave_out(const scene::Layer& layer, const store::NotWritten& missing) const {

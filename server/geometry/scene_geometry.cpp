@@ -28,7 +28,12 @@ void remark_on_time(double wanted, Geometry& geometry) {
 
 } // namespace
 
+void require_read(const Geometry& geometry) {
+    if (!geometry.awaited.empty()) throw store::NotYetRead(geometry.awaited, false);
+}
+
 void require_complete(const Geometry& geometry) {
+    require_read(geometry);
     if (!geometry.lacking.empty()) throw store::NotWritten(ciel::printable(geometry.lacking.front()));
 }
 

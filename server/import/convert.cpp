@@ -2,6 +2,7 @@
 
 #include "import/mesh/fingerprint.hpp"
 #include "import/progress.hpp"
+#include "import/source_facts.hpp"
 #include "import/values/seam_difference.hpp"
 #include "import/values/solver_ids.hpp"
 #include "import/values/step_arrays.hpp"
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -21,14 +23,16 @@ namespace {
 class Converter {
 public:
     Converter(Source& source, const Options& options, ComponentsOf components)
-        : source_(source), options_(options), selection_(options.arrays),
+        : source_(source), options_(options), facts_(options), selection_(options.arrays),
           arrays_(selection_, source, FieldComponents(std::move(components))) {}
 
     // Returns nullopt and writes no dataset if most steps have other components than the chosen components.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
-        for (step_ = 0; step_ < times.size(); ++step_) add_step(times[step_]);
+        add_step(times[0]);
+        step_ = leave_steps_late() ? times.size() : 1;
+        for (; step_ < times.size(); ++step_) add_step(times[step_]);
         if (!writer_) throw ciel::Error(first_reason_);
         selection_.check();
         if (!arrays_.components().is_of_most_steps()) return std::nullopt;
@@ -76,21 +80,76 @@ private:
         selection_.check();
     }
 
-    void add_step(double time) {
+    // Returns whether a step at this time is added.
+    bool is_new_time(double time) {
         if (!std::isfinite(time))
             throw ciel::Error("the time of step " + std::to_string(step_) +
                               " is not a finite number; correct it in the input");
         if (last_time_ && time <= *last_time_) {
             note("A second step at time " + std::to_string(time) + " was left out.");
-            return;
+            return false;
         }
         last_time_ = time;
+        return true;
+    }
+
+    InputGrids read_step() {
+        InputGrids input_grids =
+            collect_input_grids(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
+        source_.add_known(input_grids, {});
+        require_volumes(input_grids);
+        return input_grids;
+    }
+
+    const std::vector<store::ArrayValues>& make_arrays(const InputGrids& input_grids) {
+        tell(0.8, "making arrays");
+        const auto topology = [this]() -> const ciel::Topology& { return writer_->topology(mesh_index_); };
+        const auto& arrays = arrays_.make(step_, mesh_, input_grids, topology, point_maker_);
+        for (const store::ArrayValues& array : arrays) {
+            store::ArrayInfo info = array.info;
+            info.doubles = array.values.has_doubles();
+            known_arrays_.try_emplace(info.name, info);
+        }
+        return arrays;
+    }
+
+    // Reads the last step. If it has the mesh of the first one, adds all steps, and those between the two are late.
+    // Otherwise returns false; the last step is then read again.
+    bool leave_steps_late() {
+        const std::vector<double>& times = source_.times();
+        if (options_.all || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()))
+            return false;
+        step_ = times.size() - 1;
         InputGrids input_grids;
         try {
-            input_grids =
-                collect_input_grids(source_.read(step_, [this](double share) { tell(0.5 * share, "reading"); }));
-            source_.add_known(input_grids, {});
-            require_volumes(input_grids);
+            input_grids = read_step();
+        } catch (const ciel::Error&) { // add_step() reports the error
+            return false;
+        }
+        const Fingerprint print = fingerprint(input_grids);
+        if (print.cells != print_.cells || print.positions != print_.positions) return false;
+        update_step_mesh(mesh_, input_grids, false);
+        if (!difference_across(mesh_.seams, mesh_.members).empty()) return false;
+        for (const std::string& sentence : source_.lost()) lose(sentence);
+        const auto& arrays = make_arrays(input_grids);
+        std::vector<store::ArrayInfo> infos;
+        for (const auto& [name, info] : known_arrays_) infos.push_back(info);
+        for (step_ = 1; step_ + 1 < times.size(); ++step_) {
+            if (!is_new_time(times[step_])) continue;
+            writer_->add_late_step(times[step_], mesh_index_, coordinates_index_, infos);
+            ++result_.late_steps;
+        }
+        tell(0.9, "writing");
+        if (is_new_time(times[step_])) writer_->add_step(times[step_], mesh_index_, coordinates_index_, arrays);
+        if (result_.late_steps > 0) writer_->set_late(facts_.stored());
+        return true;
+    }
+
+    void add_step(double time) {
+        if (!is_new_time(time)) return;
+        InputGrids input_grids;
+        try {
+            input_grids = read_step();
         } catch (const ciel::Error& error) {
             return lose_step(time, error.what());
         }
@@ -102,9 +161,7 @@ private:
             writer_ && print.cells == print_.cells && same_mesh(input_grids, print.positions != print_.positions, time);
         if (!is_same && !new_mesh(input_grids, time)) return;
         print_ = print;
-        tell(0.8, "making arrays");
-        const auto topology = [this]() -> const ciel::Topology& { return writer_->topology(mesh_index_); };
-        const auto& arrays = arrays_.make(step_, mesh_, input_grids, topology, point_maker_);
+        const auto& arrays = make_arrays(input_grids);
         tell(0.9, "writing");
         writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
         const std::uint64_t beyond = peak_memory_.bytes() - of_reader;
@@ -207,11 +264,13 @@ private:
 
     Source& source_;
     const Options& options_;
+    const SourceFacts facts_; // made before the source is read, so that a later change is noticed
     ArraySelection selection_;
     StepArrays arrays_;
     std::optional<store::Writer> writer_;
     StepMesh mesh_;
     std::unique_ptr<PointMaker> point_maker_;
+    std::map<std::string, store::ArrayInfo> known_arrays_; // by name
     Fingerprint print_;
     std::size_t step_ = 0, mesh_index_ = 0, coordinates_index_ = 0;
     std::optional<double> last_time_;

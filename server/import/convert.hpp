@@ -15,6 +15,9 @@ struct Options {
     std::vector<std::string> arrays; // names of arrays to import; empty: all arrays
     Weld weld = Weld::seams;
     bool list = false;
+    bool all = false;               // write all steps
+    std::vector<std::size_t> steps; // late steps to read; only if the input is a dataset
+    std::string late_folder;        // LateOptions::folder
     bool allow_bad = false;
     bool force = false;
     SourceOptions source;
@@ -32,6 +35,7 @@ struct ConvertResult {
     std::vector<std::string> lost; // the sentences in `notes` that report data missing from the dataset
     std::uint64_t cells = 0;
     std::uint64_t bad_cells = 0;
+    std::size_t late_steps = 0; // number of steps that are read when they are needed
     MemoryUse memory;
 };
 

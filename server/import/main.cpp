@@ -3,6 +3,7 @@
 // standard error.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
+#include "import/late_steps.hpp"
 #include "import/listing.hpp"
 #include "import/progress.hpp"
 #include "import/readers/open_source.hpp"
@@ -13,6 +14,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -48,6 +50,14 @@ void add_options(CLI::App& app, server::importing::ImportValues& values) {
     }
 }
 
+std::size_t step_number(const std::string& text) {
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw CLI::ValidationError("--step " + text + ": give the number of a step, counted from 0");
+    return number;
+}
+
 Options options_from(server::importing::ImportValues& values) {
     const auto flag = [&](const char* name) { return !values[name].empty(); };
     Options options;
@@ -55,13 +65,22 @@ Options options_from(server::importing::ImportValues& values) {
     if (!values["output"].empty()) options.output = values["output"].back();
     options.arrays = values["array"];
     options.list = flag("list");
+    options.all = flag("all");
+    for (const std::string& step : values["step"]) options.steps.push_back(step_number(step));
+    if (!values["late-folder"].empty()) options.late_folder = values["late-folder"].back();
+    const bool reads_late_steps = options.inputs.size() == 1 && server::store::is_dataset(options.inputs.front()) &&
+                                  (options.all || !options.steps.empty());
+    if (!options.steps.empty() && !reads_late_steps)
+        throw CLI::ValidationError("--step needs a dataset NAME.ciel as the only input");
     options.allow_bad = flag("allow-bad");
     options.force = flag("force");
     if (!values["plot3d"].empty()) options.source.plot3d = values["plot3d"].back();
     if (flag("weld") && flag("no-weld"))
         throw CLI::ValidationError("--weld and --no-weld exclude each other; give one of them");
-    if (!options.list && options.output.empty()) throw CLI::RequiredError("-o NAME.ciel");
-    if (!options.list && !options.output.ends_with(".ciel"))
+    if (reads_late_steps && !options.output.empty())
+        throw CLI::ValidationError("--all and --step write into the dataset; leave out -o");
+    if (!options.list && !reads_late_steps && options.output.empty()) throw CLI::RequiredError("-o NAME.ciel");
+    if (!options.list && !reads_late_steps && !options.output.ends_with(".ciel"))
         throw CLI::ValidationError("-o " + options.output + ": the name of a dataset must end in .ciel");
     if (flag("weld")) options.weld = server::importer::Weld::all;
     if (flag("no-weld")) options.weld = server::importer::Weld::none;
@@ -95,6 +114,14 @@ int run_rewrite(const Options& options) {
                 something_lost);
 }
 
+int run_late_steps(const Options& options) {
+    using namespace server::importer;
+    read_late_steps({options.inputs.front(), options.steps, options.late_folder});
+    ignore_cancelling();
+    progress(1.0, "done");
+    return done;
+}
+
 void print_memory(const server::importer::MemoryUse& use) {
     constexpr double megabyte = 1e6;
     const auto cells = static_cast<double>(std::max<std::uint64_t>(use.cells, 1));
@@ -107,6 +134,7 @@ int run(const Options& options) {
     using namespace server::importer;
     install_cancel_handlers();
     capture_vtk_errors();
+    if (!options.list && options.output.empty()) return run_late_steps(options);
     if (!options.list)
         server::store::check_new_dataset_directory(options.output, options.force); // before any input is read
     if (options.inputs.size() == 1 && server::store::is_dataset(options.inputs.front())) return run_rewrite(options);
@@ -119,6 +147,9 @@ int run(const Options& options) {
     // The dataset is complete. Without this call, an earlier signal would make progress() throw.
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
+    if (result.late_steps > 0)
+        std::printf("%zu steps are read from the source when they are needed; --all writes them now\n",
+                    result.late_steps);
     print_memory(result.memory);
     progress(1.0, "done");
     std::vector<std::string> lost = result.lost;

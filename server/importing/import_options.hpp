@@ -23,6 +23,12 @@ inline constexpr ImportOption import_options[] = {
      "CIEL is converted to the current format. For PLOT3D, give the grid and its solutions; a grid alone also takes "
      "NAME.q from its directory."},
     {"output", "-o,--output", "NAME.ciel", false, false, "The dataset to write."},
+    {"all", "--all", "", false, false,
+     "Write all steps now. Without it, an import of more than two steps writes the first and the last one; the others "
+     "are read from the source when they are needed. With a dataset as the input: read its missing steps."},
+    {"step", "--step", "N", false, true, "With a dataset as the input: read step N from its source; may be repeated."},
+    {"late-folder", "--late-folder", "FOLDER", false, false,
+     "Where steps of a dataset are written that cannot be written to the dataset itself."},
     {"list", "--list", "", false, false, "Print format, steps, blocks and arrays; convert nothing."},
     {"array", "-a,--array", "NAME", false, true, "Import this array only; may be repeated."},
     {"weld", "--weld", "", false, false,

@@ -38,6 +38,7 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
         info.invalid += static_cast<std::int64_t>(written->second.invalid);
         info.missing += static_cast<std::int64_t>(written->second.missing);
         const auto& range = written->second.range;
+        if (written->second.late) continue;
         if (!info.range) info.range = range;
         info.range = {std::min((*info.range)[0], range[0]), std::max((*info.range)[1], range[1])};
     }

@@ -21,6 +21,7 @@ protocol::PictureRenderResult picture_render(CallContext& context, const protoco
     // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
     const auto geometry =
         source.geometry([&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); });
+    geometry::require_read(*geometry);
     progress.begin("waiting");
     std::vector<std::string> remarks;
     const render::Image image = context.server.picture_workers().run([&](engine::Worker& worker) {

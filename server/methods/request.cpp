@@ -7,8 +7,10 @@
 #include "methods/method_params.hpp"
 #include "methods/protocol_version.hpp"
 #include "protocol/method_table.hpp"
+#include "store/loaded.hpp"
 
 #include <algorithm>
+#include <thread>
 
 namespace server::methods {
 namespace {
@@ -44,6 +46,20 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
+// Waits until late arrays that the method needs have been read from their source.
+json call_when_read(CallContext& context, const Method& method, const json& params) {
+    constexpr std::chrono::milliseconds pause{200};
+    while (true) {
+        try {
+            return method.call(context, params);
+        } catch (const store::NotYetRead& late) {
+            if (late.has_failed) throw;
+        }
+        std::this_thread::sleep_for(pause);
+        context.check_wanted();
+    }
+}
+
 // `ignored` receives the JSON pointers of unknown members if the request declares a later minor version.
 json call(CallContext& context, const json& request, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
@@ -53,7 +69,8 @@ json call(CallContext& context, const json& request, std::vector<std::string>& i
     const auto count = [&] { context.server.counters().count_call(name, context.milliseconds() / 1000); };
     try {
         std::vector<std::string>* const dropped = is_of_later_minor(request) ? &ignored : nullptr;
-        json result = method->call(context, checked_params(name, request.value("params", json::object()), dropped));
+        const json params = checked_params(name, request.value("params", json::object()), dropped);
+        json result = method->slow ? call_when_read(context, *method, params) : method->call(context, params);
         count();
         return result;
     } catch (...) {

@@ -6,6 +6,7 @@
 #include "store/format/layout.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
@@ -19,13 +20,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Inode, size and modification time of a commit marker, which change whenever the marker is replaced.
-using Stamp = std::tuple<ino_t, off_t, std::int64_t, std::int64_t>;
+// Inode, size and modification time of a file, which change whenever the file is replaced.
+using FileStamp = std::tuple<ino_t, off_t, std::int64_t, std::int64_t>;
+
+FileStamp stamp_of_file(const fs::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    return {status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+using Stamp = std::array<FileStamp, 2>; // of the commit marker, and of the file that is replaced with late arrays
 
 Stamp stamp_of(const fs::path& dataset) {
-    struct stat status {};
-    if (::stat((dataset / layout::commit_marker).c_str(), &status) != 0) return {};
-    return {status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+    return {stamp_of_file(dataset / layout::commit_marker), stamp_of_file(dataset / layout::late_changes)};
 }
 
 bool looks_like_dataset(const fs::path& path) {
@@ -64,6 +71,7 @@ struct Known {
     // then. came_back: open() has then succeeded, so that poll() must call on_change again.
     enum class Lost { no, told, refused, came_back } lost = Lost::no;
     Stamp loaded_stamp{};
+    FileStamp late_stamp{}; // of late arrays outside the dataset; unknown until the first poll
     Catalog::Clock::time_point used{};
     std::shared_ptr<std::mutex> opening = std::make_shared<std::mutex>();
 };
@@ -74,6 +82,7 @@ struct Catalog::State {
     std::vector<fs::path> roots;
     std::size_t field_budget = 0, most_bytes = 0;
     std::optional<FileAccess> access;
+    LateSteps late;
     mutable std::mutex mutex;
     std::map<std::string, Known> known;                 // by name
     std::vector<std::weak_ptr<LoadedDataset>> replaced; // removed or damaged datasets, which sessions may still use
@@ -134,12 +143,16 @@ struct Catalog::State {
         return text.empty() ? "none" : text;
     }
 
+    [[nodiscard]] FileStamp late_stamp(const LoadedDataset& loaded) const {
+        if (late.folder.empty()) return {};
+        return stamp_of_file(late.folder / loaded.dataset()->info().id / layout::late_changes);
+    }
     void poll(const std::function<void(const std::string&)>& on_change);
     void look_at(const Seen& seen, const std::function<void(const std::string&)>& on_change);
 };
 
 Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, std::size_t most_bytes,
-                 std::optional<FileAccess> access)
+                 std::optional<FileAccess> access, LateSteps late)
     : state_(std::make_unique<State>()) {
     for (fs::path& path : paths) {
         path = fs::absolute(path).lexically_normal();
@@ -151,6 +164,7 @@ Catalog::Catalog(std::vector<fs::path> paths, std::size_t field_budget_bytes, st
     state_->roots = std::move(paths);
     state_->field_budget = field_budget_bytes;
     state_->access = access;
+    state_->late = std::move(late);
     state_->most_bytes = most_bytes;
     state_->scan();
 }
@@ -205,8 +219,8 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
     std::string problem;
     std::exception_ptr failure;
     try {
-        auto dataset = Dataset::open(directory, LackingRanges::computed, state_->access);
-        loaded = std::make_shared<LoadedDataset>(std::move(dataset), state_->field_budget);
+        auto dataset = Dataset::open(directory, LackingRanges::computed, state_->access, state_->late.folder);
+        loaded = std::make_shared<LoadedDataset>(std::move(dataset), state_->field_budget, state_->late.ask);
     } catch (const std::exception& error) {
         problem = sentence_for_clients(error);
         failure = std::current_exception();
@@ -220,6 +234,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         if (entry.lost != Known::Lost::no && !loaded) entry.lost = Known::Lost::refused;
         if (loaded) entry.lost = entry.lost == Known::Lost::refused ? Known::Lost::came_back : Known::Lost::no;
         entry.examined = entry.loaded_stamp = stamp;
+        entry.late_stamp = {};
     } else if (loaded) {
         state_->replaced.push_back(loaded);
     }
@@ -269,8 +284,11 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
         for (auto& [name, entry] : known) {
             if (!entry.loaded) continue;
             const Stamp now = stamp_of(entry.directory);
-            all.push_back({name, entry.loaded, now != entry.loaded_stamp, entry.lost == Known::Lost::came_back});
+            const FileStamp elsewhere = late_stamp(*entry.loaded);
+            const bool is_new = now != entry.loaded_stamp || elsewhere != entry.late_stamp;
+            all.push_back({name, entry.loaded, is_new, entry.lost == Known::Lost::came_back});
             entry.loaded_stamp = now;
+            entry.late_stamp = elsewhere;
             entry.lost = Known::Lost::no;
         }
     }

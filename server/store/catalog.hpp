@@ -8,6 +8,11 @@
 
 namespace server::store {
 
+struct LateSteps {
+    std::filesystem::path folder; // of the files of late arrays whose dataset cannot be written to (late_files.hpp)
+    AskForStep ask;
+};
+
 struct CatalogEntry {
     std::string name;
     std::filesystem::path directory;
@@ -21,7 +26,8 @@ public:
     // a path that does not exist or is a file. Datasets with the same name get numbers: NAME-2, NAME-3.
     // field_budget_bytes: for each dataset. most_bytes: if all datasets need more memory, unused datasets are dropped.
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30,
-                     std::size_t most_bytes = std::size_t{8} << 30, std::optional<FileAccess> access = std::nullopt);
+                     std::size_t most_bytes = std::size_t{8} << 30, std::optional<FileAccess> access = std::nullopt,
+                     LateSteps late = {});
     ~Catalog();
 
     // Lists a dataset that could not be imported. open() refuses it until another dataset is written to `directory`.

@@ -8,6 +8,7 @@
 #include "store/format/documents.hpp"
 #include "store/format/layout.hpp"
 #include "store/format/step_table.hpp"
+#include "store/late_files.hpp"
 #include "store/mesh_arrays.hpp"
 #include "store/statistics.hpp"
 
@@ -25,9 +26,10 @@ std::optional<std::int64_t> given(std::optional<std::int64_t> id) { return id &&
 class MappedDataset final : public Dataset, private MeshArrays {
 public:
     MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, FileAccess access,
-                  const MappedDataset* before)
+                  const fs::path& late_folder, const MappedDataset* before)
         : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)),
-          access_(access) {
+          late_folder_(late_folder), late_files_(directory_, late_folder, info_.id),
+          late_changes_(late_files_.changes()), access_(access) {
         if (before != nullptr) {
             any_lost_ = before->any_lost_;
             chunks_ = before->chunks_;
@@ -62,8 +64,9 @@ public:
         const std::size_t steps = now.marker.table.steps + now.marker.steps.size();
         if (now.info.id != info_.id || steps < steps_->size() || now.marker.meshes < meshes_.size())
             refuse(directory_, "was replaced by another dataset while it was open; open the dataset again");
-        if (steps == steps_->size()) return nullptr;
-        return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, access_, this);
+        if (steps == steps_->size() && late_files_.changes() == late_changes_) return nullptr;
+        return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, access_,
+                                               late_folder_, this);
     }
 
     void check_intact() const override {
@@ -120,7 +123,7 @@ public:
         }
         for (std::size_t step = 0; step < steps_->size(); ++step)
             for (const auto& [name, array] : (*steps_)[step].arrays)
-                if (!array.lazy || is_written(marked(step), name)) {
+                if (!array.late) {
                     (void)values(name, step);
                     (void)value_ranges(name, step);
                 }
@@ -186,10 +189,17 @@ public:
         const auto entry = at.arrays.find(array);
         if (entry == at.arrays.end()) return {};
         check_chunk(at.mesh, array, entry->second.chunk);
-        if (entry->second.lazy && !is_written(at, array))
-            refuse(directory_, "array '" + array + "' is not yet extracted from its source at time " +
-                                   std::to_string(at.time) + "; choose another step");
+        if (entry->second.late)
+            refuse(directory_, "array '" + array + "' has not been read from its source yet at time " +
+                                   std::to_string(at.time) + "; read it with 'ciel import " + directory_.string() +
+                                   " --step " + std::to_string(step) + "'");
         return array_to_load(at.mesh, array, entry->second);
+    }
+    std::map<std::string, std::uint64_t> late_chunks(std::size_t step) const override {
+        std::map<std::string, std::uint64_t> late;
+        for (const auto& [name, array] : marked(step).arrays)
+            if (array.late) late.emplace(name, array.chunk);
+        return late;
     }
 
 private:
@@ -213,7 +223,7 @@ private:
     }
 
     ValuesToLoad array_to_load(std::size_t mesh, const std::string& array, const MarkedArray& entry) const {
-        const ArrayLayout& shape = layouts_[mesh].at(array);
+        const ArrayLayout shape = late_files_.layout_of(layouts_[mesh].at(array), entry.chunk);
         const auto checks = [&] {
             return checks_of_stretches(shape, entry.checksum, stored_ranges(mesh, array, entry));
         };
@@ -256,8 +266,8 @@ private:
         if (!meshes_[mesh]->has_blocks()) return std::nullopt;
         const ArrayInfo& info = *find(array);
         const std::size_t blocks = info.association == Association::point ? meshes_[mesh]->block_count() : 0;
-        return read_ranges(layouts_[mesh].at(array), entry.chunk, entry.checksum, scalars_of(info).size(), blocks,
-                           info_.id);
+        return read_ranges(late_files_.layout_of(layouts_[mesh].at(array), entry.chunk), entry.chunk, entry.checksum,
+                           scalars_of(info).size(), blocks, info_.id);
     }
     std::optional<ValueRanges> position_ranges(std::size_t mesh, std::size_t coordinates,
                                                const std::string& sum) const {
@@ -269,11 +279,6 @@ private:
         return meshes_[mesh];
     }
 
-    bool is_written(const MarkedStep& step, const std::string& array) const {
-        std::error_code error;
-        return fs::exists(layouts_[step.mesh].at(array).chunk(step.arrays.at(array).chunk), error);
-    }
-
     // A refresh reads the attributes again, because new coordinate sets may have been added.
     std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
         if (before == nullptr || mesh >= before->meshes_.size())
@@ -283,7 +288,9 @@ private:
     }
 
     MarkedStep marked(std::size_t step) const {
-        return step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
+        MarkedStep found = step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
+        late_files_.complete(found, layouts_.at(found.mesh));
+        return found;
     }
 
     std::vector<double> times() const {
@@ -377,13 +384,13 @@ private:
                 refuse(directory_ / layout::commit_marker,
                        "'component_ranges' of '" + name + "' must have one entry per component");
             check_extremes(step, array, result.extremes);
-        } else if (lacking == LackingRanges::left_out || (entry.lazy && !is_written(step, name))) {
+        } else if (lacking == LackingRanges::left_out || entry.late) {
             result.component_ranges.resize(static_cast<std::size_t>(array.components));
         } else {
             result = statistics(loaded(array_to_load(step.mesh, name, entry)), array);
             result.extremes.clear(); // left empty, because computing the positions of the cells would read blocks
         }
-        result.lazy = entry.lazy;
+        result.late = entry.late;
         result.has_checksum = !entry.checksum.empty();
         return result;
     }
@@ -401,6 +408,9 @@ private:
     mutable std::mutex loaders_mutex_;
     // Key: mesh, coordinate set.
     mutable std::map<std::pair<std::size_t, std::size_t>, std::weak_ptr<const PositionsLoader>> loaders_;
+    fs::path late_folder_;
+    LateFiles late_files_;
+    std::uint64_t late_changes_; // LateFiles::changes() when the dataset was opened or refreshed
     FileAccess access_;
     std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_, access_);
 };
@@ -408,9 +418,9 @@ private:
 } // namespace
 
 std::shared_ptr<Dataset> Dataset::open(const fs::path& directory, LackingRanges lacking,
-                                       std::optional<FileAccess> access) {
+                                       std::optional<FileAccess> access, const fs::path& late_folder) {
     return std::make_shared<MappedDataset>(directory, read_documents(directory), lacking,
-                                           access ? *access : access_to(directory), nullptr);
+                                           access ? *access : access_to(directory), late_folder, nullptr);
 }
 
 std::uint64_t items_of(const MeshInfo& mesh, Association association) {

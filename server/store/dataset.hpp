@@ -45,16 +45,19 @@ public:
     // Throws Error that names the file when a file is missing, damaged, truncated or of a newer version. Arrays,
     // records, and steps in the table of steps are read and verified when they are first used. `access`: for records,
     // values and positions; nullopt: access_to(directory). The numbered faces are always mapped.
+    // `late_folder`: see LateFiles (late_files.hpp).
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        LackingRanges lacking = LackingRanges::computed,
-                                                       std::optional<FileAccess> access = std::nullopt);
+                                                       std::optional<FileAccess> access = std::nullopt,
+                                                       const std::filesystem::path& late_folder = {});
     virtual ~Dataset() = default;
 
     [[nodiscard]] virtual const std::filesystem::path& directory() const = 0; // as given to open()
     [[nodiscard]] virtual const DatasetInfo& info() const = 0;
     [[nodiscard]] virtual const Steps& steps() const = 0;
-    // Returns a Dataset that also has the steps that were committed since; nullptr if there are none. Both objects
-    // share the mapped files. Throws Error when a file is damaged, or when the dataset was replaced by another dataset.
+    // Returns a Dataset that also has the steps and the late arrays that were written since; nullptr if there are none.
+    // Both objects share the mapped files. Throws Error when a file is damaged, or when the dataset was replaced by
+    // another dataset.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
     // Throws Error if a mapped file was found to be truncated or rewritten. Call it after reading: results made from
@@ -86,10 +89,14 @@ public:
     [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, ciel::Index vertex) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_cell(std::size_t mesh, ciel::Index cell) const = 0;
     // Returns `components` numbers for each vertex, cell or boundary face, interleaved. Empty if the array was not
-    // written at this step. Throws Error for an unknown array or a damaged chunk.
+    // written at this step. Throws Error for an unknown array, a late array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
     // Like values, but reads no stretch. Stretches are read and checked when the caller loads them (CheckedFile::load).
     [[nodiscard]] virtual ValuesToLoad values_to_load(const std::string& array, std::size_t step) const = 0;
+
+    // Returns the chunk numbers of the late arrays of a step that have not been written yet, by array. Looks at the
+    // disk again at each call.
+    [[nodiscard]] virtual std::map<std::string, std::uint64_t> late_chunks(std::size_t step) const = 0;
 
     // Returns nullopt if no ranges are stored or the scalar is not on points. Throws Error when they are damaged.
     [[nodiscard]] virtual std::optional<ciel::BlockRanges> block_ranges(const ScalarName& scalar,

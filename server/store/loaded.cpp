@@ -89,8 +89,8 @@ struct LoadedDataset::State {
     // A slice that turns needs another plane for each picture, and earlier planes are rarely needed again.
     static constexpr std::size_t most_planes = 4;
 
-    State(std::shared_ptr<Dataset> first, std::size_t budget)
-        : dataset(std::move(first)), most_fit_bytes(budget / 4), fields(budget / 4 * 3),
+    State(std::shared_ptr<Dataset> first, std::size_t budget, AskForStep asking)
+        : dataset(std::move(first)), ask(std::move(asking)), most_fit_bytes(budget / 4), fields(budget / 4 * 3),
           planes(budget / 4, most_planes) {}
 
     struct MeshSlot {
@@ -113,19 +113,32 @@ struct LoadedDataset::State {
         return found;
     }
 
-    [[nodiscard]] static ValuesToLoad written(const Dataset& dataset, const std::string& array, std::size_t step,
-                                              Association wanted) {
-        if (const Association own = dataset.find(array)->association; own != wanted)
+    [[nodiscard]] ValuesToLoad written(const Dataset& of, const std::string& array, std::size_t step,
+                                       Association wanted) const {
+        if (const Association own = of.find(array)->association; own != wanted)
             throw ciel::Error("'" + array + "' is an array on " + name_of(own) + "; choose an array on " +
                               name_of(wanted));
-        auto values = dataset.values_to_load(array, step);
+        check_read(of, array, step);
+        auto values = of.values_to_load(array, step);
         if (values.file == nullptr) {
             std::ostringstream time;
-            time << dataset.steps()[step].time;
+            time << of.steps()[step].time;
             throw NotWritten("'" + array + "' has no values at time " + time.str() + "; it has values at " +
-                             times_written(dataset, array));
+                             times_written(of, array));
         }
         return values;
+    }
+
+    // An array that has been read since is late until the dataset is refreshed, because its ranges are not known.
+    void check_read(const Dataset& of, const std::string& array, std::size_t step) const {
+        const Step& at = of.steps()[step];
+        const auto found = at.arrays.find(array);
+        if (found == at.arrays.end() || !found->second.late) return;
+        const LateAnswer answer =
+            ask ? ask(of, step) : LateAnswer{"has not been read from its source; use `ciel import --step`", true};
+        std::ostringstream time;
+        time << at.time;
+        throw NotYetRead("'" + array + "' at time " + time.str() + " " + answer.words, answer.has_failed);
     }
 
     [[nodiscard]] static const Step& step_of(const Dataset& dataset, std::size_t step) {
@@ -194,6 +207,7 @@ struct LoadedDataset::State {
 
     mutable std::mutex mutex;
     std::shared_ptr<Dataset> dataset;
+    const AskForStep ask;
     std::map<std::size_t, std::shared_ptr<MeshSlot>> meshes;
     std::mutex refreshing;
     const std::size_t most_fit_bytes;
@@ -203,8 +217,8 @@ struct LoadedDataset::State {
     Cache fields, planes;
 };
 
-LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes)
-    : state_(std::make_unique<State>(std::move(dataset), field_budget_bytes)) {}
+LoadedDataset::LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes, AskForStep ask)
+    : state_(std::make_unique<State>(std::move(dataset), field_budget_bytes, std::move(ask))) {}
 
 LoadedDataset::~LoadedDataset() = default;
 
@@ -242,7 +256,7 @@ std::shared_ptr<const StoredScalar> LoadedDataset::stored_scalar(const std::stri
     (void)State::step_of(*of, step);
     ScalarName scalar = parse_scalar(*of, name);
     const ArrayInfo& array = *of->find(scalar.array);
-    ValuesToLoad values = State::written(*of, scalar.array, step, items);
+    ValuesToLoad values = state_->written(*of, scalar.array, step, items);
     return std::make_shared<const StoredScalar>(array, std::move(scalar), std::move(values));
 }
 

@@ -18,18 +18,35 @@ class NotWritten : public ciel::Error {
     using ciel::Error::Error;
 };
 
+// What happens to the late arrays of a step that was asked for.
+struct LateAnswer {
+    std::string words;       // such as "is being read from its source"
+    bool has_failed = false; // they cannot be read
+};
+// Asks for the late arrays of a step, and returns at once. Called from any thread.
+using AskForStep = std::function<LateAnswer(const Dataset& dataset, std::size_t step)>;
+
+// Error: the array is late. has_failed: asking again soon is useless.
+class NotYetRead : public NotWritten {
+public:
+    NotYetRead(const std::string& sentence, bool has_failed_) : NotWritten(sentence), has_failed(has_failed_) {}
+    bool has_failed;
+};
+
 // Thread-safe. Three quarters of `field_budget_bytes` are for a least-recently-used cache of fields. One quarter is for
 // a cache of the last planes. In addition, the fits of gradients (CellFits) may use as much memory as the planes.
 class LoadedDataset {
 public:
-    LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes);
+    // `ask`: called before NotYetRead is thrown; may be empty.
+    LoadedDataset(std::shared_ptr<Dataset> dataset, std::size_t field_budget_bytes, AskForStep ask = {});
     ~LoadedDataset();
 
     [[nodiscard]] std::shared_ptr<Dataset> dataset() const; // the dataset as of the last refresh()
     bool refresh(); // adds new steps from the disk; returns whether there were any
 
     [[nodiscard]] std::shared_ptr<const ciel::Topology> topology(std::size_t mesh);
-    // Throws NotWritten when the array was not written at the step, and Error when `name` is not a scalar on points.
+    // Throws NotWritten when the array was not written at the step, NotYetRead when it is late, and Error when `name`
+    // is not a scalar on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
     // The values are read when they are needed. Throws like scalar(), and Error when the scalar is not on `items`.
     [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step,

@@ -103,7 +103,7 @@ private:
         try {
             values = from_.values(name, step);
         } catch (const ciel::Error& error) {
-            if (!array.lazy) throw; // the chunk of a lazy array may not be written yet
+            if (!array.late) throw;
             left_out_.push_back(std::string("An array was left out: ") + error.what() + ".");
             return;
         }

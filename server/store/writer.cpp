@@ -1,61 +1,24 @@
 #include "store/writer.hpp"
 
 #include "store/cache/mapped_file.hpp"
-#include "store/cache/stored_blocks.hpp"
-#include "store/cell_places.hpp"
-#include "store/commit.hpp"
-#include "store/files/files.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
-#include "store/format/layout.hpp"
-#include "store/format/marker.hpp"
-#include "store/format/value_ranges.hpp"
+#include "store/format/zarr_array.hpp"
 #include "store/imported_copy.hpp"
 #include "store/mesh_arrays.hpp"
 #include "store/mesh_counts.hpp"
-#include "store/new_dataset_directory.hpp"
 #include "store/new_dataset_info.hpp"
-#include "store/statistics.hpp"
 #include "store/valid_text.hpp"
-#include "store/write_mesh.hpp"
+#include "store/writer_state.hpp"
 #include "store/written_points.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace server::store {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-struct WrittenMesh {
-    MeshAttributes attributes;
-    std::map<std::string, ArrayInfo> arrays;
-    std::uint64_t steps = 0;
-
-    [[nodiscard]] std::uint64_t items(const ArrayInfo& array) const {
-        return items_of(attributes.info, array.association);
-    }
-};
-
-struct StepUnderWay {
-    MarkedStep step;
-    std::vector<ArrayInfo> arrays;
-    std::vector<fs::path> chunks;
-};
-
-template <class F>
-void for_extremes(MarkedStep& step, F&& f) {
-    for (auto& [name, array] : step.arrays) {
-        if (!array.statistics) continue;
-        for (CellExtremes& extremes : array.statistics->extremes) {
-            f(extremes.lowest);
-            f(extremes.highest);
-        }
-    }
-}
 
 // Coordinate sets that were written with plain Zarr have no checksums.
 void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std::size_t mesh) {
@@ -65,183 +28,6 @@ void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std:
          sums.size() < sets;)
         sums.push_back(checksum(dataset.mesh_arrays().points(mesh, sums.size()).positions.bytes()));
 }
-
-} // namespace
-
-struct Writer::State {
-    fs::path directory; // temporary directory of a new dataset, or the dataset when appending
-    std::unique_ptr<NewDatasetDirectory> new_directory; // null when appending
-    Descriptor lock;                                    // when appending: lock on the dataset's directory
-    std::shared_ptr<Dataset> before;
-    DatasetInfo info;
-    Marker marker;
-    std::optional<double> last_time; // time of the last step; nullopt if there is none
-    std::vector<WrittenMesh> meshes;
-    struct UsedMesh {
-        std::size_t mesh;
-        std::shared_ptr<const StoredBlocks> blocks; // null in format 1
-        ciel::Topology topology;
-    };
-    std::optional<UsedMesh> used; // the mesh whose topology was used last; only one, because it keeps files open
-    std::unique_ptr<StepUnderWay> under_way;
-    bool info_changed = false, finished = false;
-
-    State() = default;
-    ~State() { take_back(); }
-    State(const State&) = delete;
-
-    [[nodiscard]] bool appending() const { return new_directory == nullptr; }
-
-    [[nodiscard]] WrittenMesh& mesh(std::size_t index) {
-        if (index >= meshes.size()) throw ciel::Error("the dataset has no mesh " + std::to_string(index));
-        return meshes[index];
-    }
-
-    // When appending, replaces the file, because a reader may have mapped it. In a new dataset, writes it directly.
-    void put(const fs::path& file, std::span<const std::byte> bytes) const {
-        appending() ? replace_file(file, bytes) : write_file(file, bytes);
-    }
-
-    // Skips a file that has this content already, because replacing it would flush it to the disk.
-    void put_text(const fs::path& file, const std::string& text) const {
-        std::error_code error;
-        if (appending() && fs::exists(file, error) && read_text(file, layout::marker_bytes) == text) return;
-        put(file, bytes_of(text));
-    }
-
-    void put_array(const ArrayInfo& array, const WrittenMesh& on, const fs::path& path, std::uint64_t steps) const {
-        put_text(path / layout::attributes_document, to_text(array));
-        put_text(path / layout::array_document, to_text(values_shape(steps, on.items(array), array)));
-    }
-
-    void put_mesh(std::size_t index) const {
-        const WrittenMesh& written = meshes[index];
-        const fs::path path = layout::mesh(directory, index);
-        put_text(path / layout::attributes_document, to_text(written.attributes));
-        put_text(path / "positions" / layout::array_document,
-                 to_text(positions_shape(written.attributes.coordinate_checksums.size(), written.attributes.info)));
-        for (const auto& [name, array] : written.arrays)
-            put_array(array, written, layout::values(path, name), written.steps);
-    }
-
-    void put_root() const {
-        put_text(directory / layout::attributes_document, root_attributes_text(info));
-        put_text(directory / layout::group_document, group_text());
-        put_text(directory / "meshes" / layout::group_document, group_text());
-    }
-
-    [[nodiscard]] Commit commit() const { return {directory, info.id, appending()}; }
-
-    void check_array(const ArrayValues& array, const WrittenMesh& on) const {
-        const std::uint64_t items = on.items(array.info);
-        if (array.info.components < 1 || array.info.components > 64)
-            throw ciel::Error("array '" + array.info.name + "' must have 1 to 64 components");
-        if (array.values.size() != items * static_cast<std::uint64_t>(array.info.components))
-            throw ciel::Error("array '" + array.info.name + "' has " + std::to_string(array.values.size()) +
-                              " values, but must have " + std::to_string(items) + " x " +
-                              std::to_string(array.info.components) + ", one for each item and component");
-        if (const ArrayInfo* known = find(array.info.name); known != nullptr && !known->has_shape_of(array.info))
-            throw ciel::Error(
-                "array '" + array.info.name +
-                "' has another association or number of components than at earlier steps; use a new name");
-    }
-
-    [[nodiscard]] const ArrayInfo* find(const std::string& array) const {
-        for (const WrittenMesh& mesh : meshes)
-            if (const auto known = mesh.arrays.find(array); known != mesh.arrays.end()) return &known->second;
-        return nullptr;
-    }
-
-    [[nodiscard]] ArrayInfo with_type(const ArrayInfo& array, ciel::ValuesView values) const {
-        ArrayInfo typed = with_valid_text(array);
-        const ArrayInfo* known = find(typed.name);
-        typed.doubles = known != nullptr ? known->doubles : values.has_doubles();
-        return typed;
-    }
-
-    // REQUIRES: the values have the array's type.
-    void put_values(const ArrayInfo& array, ciel::ValuesView values) {
-        MarkedStep& step = under_way->step;
-        const std::uint64_t row = mesh(step.mesh).steps;
-        const fs::path path = layout::values(layout::mesh(directory, step.mesh), array.name);
-        make_directory(path);
-        under_way->chunks.push_back(layout::chunk(path, row, array.components > 1 ? 3 : 2));
-        const auto bytes = values.bytes();
-        put(under_way->chunks.back(), bytes);
-        put_ranges(array, values, path, row);
-        under_way->arrays.push_back(array);
-        step.arrays.emplace(array.name, MarkedArray{row, checksum(bytes), statistics(values, array), false});
-    }
-
-    void put_ranges(const ArrayInfo& array, ciel::ValuesView values, const fs::path& path, std::uint64_t row) {
-        if (!has_blocks(under_way->step.mesh)) return;
-        const ciel::Topology& topology = topology_of(under_way->step.mesh);
-        const fs::path file = layout::value_ranges(path, row);
-        make_directory(file.parent_path());
-        under_way->chunks.push_back(file);
-        put(file, to_bytes(value_ranges(values, array, topology), info.id, checksum_number(values.bytes())));
-    }
-
-    [[nodiscard]] bool has_blocks(std::size_t mesh) const {
-        std::error_code error;
-        return fs::exists(layout::block_index(layout::mesh(directory, mesh)).parent_path(), error);
-    }
-    [[nodiscard]] const ciel::Topology& topology_of(std::size_t mesh) {
-        if (used && used->mesh == mesh) return used->topology;
-        check_used();
-        used.reset();
-        std::shared_ptr<const StoredBlocks> blocks;
-        if (has_blocks(mesh)) blocks = std::make_shared<const StoredBlocks>(layout::mesh(directory, mesh), info.id);
-        ciel::Topology topology = blocks ? blocks->topology() : before->topology(mesh);
-        return used.emplace(UsedMesh{mesh, std::move(blocks), std::move(topology)}).topology;
-    }
-    // Throws Error if records that were used have changed or could not be read again.
-    void check_used() const {
-        if (used && used->blocks) used->blocks->check_intact();
-    }
-
-    std::size_t add_mesh(const NewMesh& mesh, const OriginalIds& original, std::span<const NamedGroup> groups,
-                         const SolverIds& solver) {
-        const std::size_t index = meshes.size();
-        const fs::path path = layout::mesh(directory, index);
-        fs::remove_all(path); // may remain from an append that was not committed
-        used.reset();
-        meshes.push_back({write_mesh(path, mesh, original, with_valid_text(groups), solver, info.id), {}, 0});
-        info_changed |= info.format_version != layout::format_version;
-        info.format_version = layout::format_version;
-        return index;
-    }
-
-    void put_documents() const {
-        for (std::size_t m = 0; m < meshes.size(); ++m) put_mesh(m);
-        if (info_changed) put_root();
-    }
-
-    void place_extremes(MarkedStep& step) {
-        std::vector<ciel::Index> cells;
-        for_extremes(step, [&](CellExtreme& extreme) { cells.push_back(extreme.cell); });
-        if (cells.empty()) return;
-        const WrittenPoints points(layout::mesh(directory, step.mesh), mesh(step.mesh).attributes, step.coordinates);
-        const auto places = cell_places(topology_of(step.mesh), points.view(), cells);
-        for_extremes(step, [&](CellExtreme& extreme) { extreme.place = places.at(extreme.cell); });
-    }
-
-    void learn_arrays(const StepUnderWay& of) {
-        WrittenMesh& written = mesh(of.step.mesh);
-        for (const ArrayInfo& array : of.arrays) written.arrays.emplace(array.name, array);
-        ++written.steps;
-    }
-
-    // Deletes the chunks of the step that is being written, which no reader has seen.
-    void take_back() noexcept {
-        std::error_code ignored;
-        if (under_way)
-            for (const fs::path& chunk : under_way->chunks) fs::remove(chunk, ignored);
-        under_way.reset();
-    }
-};
-
-namespace {
 
 // An error names files by their final paths, because the temporary directory will be deleted.
 void read_again(const NewDatasetDirectory& directory) {
@@ -377,91 +163,9 @@ std::optional<std::size_t> Writer::find_coordinates(std::size_t mesh, ciel::Valu
     return std::nullopt;
 }
 
-void Writer::add_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayValues> arrays) {
-    begin_step(time, mesh, coordinates);
-    std::set<std::string> seen;
-    for (const ArrayValues& array : arrays) { // checks all arrays before it writes the first array
-        const ArrayValues named{with_valid_text(array.info), array.values};
-        state_->check_array(named, state_->mesh(mesh));
-        if (!seen.insert(named.info.name).second) throw ciel::Error("array '" + named.info.name + "' is given twice");
-    }
-    for (const ArrayValues& array : arrays) add_values(array);
-    end_step();
-}
-
-void Writer::begin_step(double time, std::size_t mesh, std::size_t coordinates) {
-    State& state = *state_;
-    state.take_back();
-    const WrittenMesh& written = state.mesh(mesh);
-    if (!std::isfinite(time)) throw ciel::Error("the time of a step must be a finite number");
-    if (state.last_time && !(time > *state.last_time))
-        throw ciel::Error("time " + std::to_string(time) + " is not later than the last step, which is at time " +
-                          std::to_string(*state.last_time));
-    if (coordinates >= written.attributes.coordinate_checksums.size())
-        throw ciel::Error("mesh " + std::to_string(mesh) + " has no coordinate set " + std::to_string(coordinates));
-    state.under_way = std::make_unique<StepUnderWay>(StepUnderWay{{time, mesh, coordinates, {}}, {}, {}});
-}
-
-void Writer::add_values(const ArrayValues& array) {
-    State& state = *state_;
-    if (!state.under_way) throw ciel::Error("array '" + array.info.name + "' belongs to no step; begin a step first");
-    try {
-        const ArrayInfo info = state.with_type(array.info, array.values);
-        const MarkedStep& step = state.under_way->step;
-        state.check_array({info, array.values}, state.mesh(step.mesh));
-        if (step.arrays.count(info.name) > 0) throw ciel::Error("array '" + info.name + "' is given twice");
-        state.put_values(info, converted(array.values, info.doubles));
-    } catch (...) {
-        state.take_back();
-        throw;
-    }
-}
-
-void Writer::end_step() {
-    State& state = *state_;
-    if (!state.under_way) throw ciel::Error("there is no step to end; begin a step first");
-    try {
-        state.place_extremes(state.under_way->step);
-        state.check_used();
-    } catch (...) {
-        state.take_back();
-        throw;
-    }
-    const double time = state.under_way->step.time;
-    if (!state.appending()) {
-        state.learn_arrays(*state.under_way);
-        state.marker.steps.push_back(std::move(state.under_way->step));
-        state.last_time = time;
-        return state.under_way.reset();
-    }
-    const std::vector<WrittenMesh> meshes = state.meshes;
-    const std::size_t known_meshes = state.marker.meshes;
-    try {
-        state.learn_arrays(*state.under_way);
-        state.put_documents();
-    } catch (...) {
-        state.meshes = meshes;
-        state.take_back();
-        throw;
-    }
-    state.marker.meshes = state.meshes.size();
-    state.marker.steps.push_back(state.under_way->step);
-    state.under_way.reset(); // does not delete the chunks, because put may throw after it has replaced the marker
-    try {
-        state.commit().put(state.marker);
-    } catch (...) {
-        state.meshes = meshes;
-        state.marker.meshes = known_meshes;
-        state.marker.steps.pop_back();
-        throw;
-    }
-    state.last_time = time;
-    // The step is committed. Therefore errors are ignored. The next step tries again to move the steps.
-    try {
-        (void)state.commit().move_steps_to_table(state.marker);
-    } catch (const std::exception&) {
-        state.commit().read_table_again(state.marker);
-    }
+void Writer::set_late(LateSource source) {
+    state_->info.late = std::move(source);
+    state_->info_changed = true;
 }
 
 void Writer::add_note(const std::string& sentence) {

@@ -72,6 +72,9 @@ public:
     void begin_step(double time, std::size_t mesh, std::size_t coordinates);
     void add_values(const ArrayValues& array);
     void end_step();
+    // Adds a step whose arrays are late (late_writer.hpp). info.doubles of a new array is its type.
+    void add_late_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayInfo> arrays);
+    void set_late(LateSource source); // the source from which late arrays are read
     void add_note(const std::string& sentence);
 
     // Returns the dataset as it was when append() locked it; null for a new dataset.

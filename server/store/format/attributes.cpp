@@ -105,6 +105,15 @@ JsonReader ciel_member(const JsonReader& document, const std::filesystem::path& 
     return document.at("ciel");
 }
 
+LateSource parse_late(const JsonReader& value) {
+    LateSource late;
+    for (const JsonReader& input : value.at("inputs").items()) late.inputs.push_back(input.text());
+    for (const auto& [name, values] : value.at("options").members())
+        for (const JsonReader& one : values.items()) late.options[name].push_back(one.text());
+    late.changed = static_cast<std::int64_t>(value.at("changed").count());
+    return late;
+}
+
 } // namespace
 
 std::string to_text(Association association) {
@@ -134,19 +143,22 @@ DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::
     info.input_cells = input.at("cells").count();
     if (const auto notes = ciel.find("notes"))
         for (const JsonReader& note : notes->items()) info.notes.push_back(note.text());
+    if (const auto late = ciel.find("late")) info.late = parse_late(*late);
     return info;
 }
 
 std::string root_attributes_text(const DatasetInfo& info) {
-    return to_text(nlohmann::json{
-        {"ciel",
-         {{"format_version", info.format_version},
-          {"id", info.id},
-          {"source", info.source},
-          {"created", info.created},
-          {"length_units", info.length_units},
-          {"input", {{"vertices", info.input_vertices}, {"edges", info.input_edges}, {"cells", info.input_cells}}},
-          {"notes", info.notes}}}});
+    nlohmann::json ciel{
+        {"format_version", info.format_version},
+        {"id", info.id},
+        {"source", info.source},
+        {"created", info.created},
+        {"length_units", info.length_units},
+        {"input", {{"vertices", info.input_vertices}, {"edges", info.input_edges}, {"cells", info.input_cells}}},
+        {"notes", info.notes}};
+    if (!info.late.inputs.empty())
+        ciel["late"] = {{"inputs", info.late.inputs}, {"options", info.late.options}, {"changed", info.late.changed}};
+    return to_text(nlohmann::json{{"ciel", std::move(ciel)}});
 }
 
 MeshAttributes parse_mesh_attributes(std::string_view text, const std::filesystem::path& file) {

@@ -65,8 +65,7 @@ struct ArrayStep { // what is known about an array at one step
     // Only for an array on cells: the cells at the ends of `range`, then those of each component if there are several.
     // Empty if the cells are not known, or if one of the ranges has no finite value.
     std::vector<CellExtremes> extremes;
-    // The chunk file may not be written yet (store/README.md). Until it is written, Dataset::values throws Error.
-    bool lazy = false;
+    bool late = false;         // true: the values have not been read from the source yet (store/README.md)
     bool has_checksum = false; // false if the chunk was written with plain Zarr and cannot be verified
 };
 
@@ -97,6 +96,13 @@ struct MeshInfo {
     bool double_positions = false;                      // true: positions are stored as float64; false: as float32
 };
 
+// The input of an import that wrote only some of the steps. Without inputs, no array is late.
+struct LateSource {
+    std::vector<std::string> inputs;                         // absolute paths
+    std::map<std::string, std::vector<std::string>> options; // of the import, by the name of the option
+    std::int64_t changed = 0; // time of the inputs' last change when they were imported, in ns since 1970 (UTC)
+};
+
 struct DatasetInfo {
     int format_version = 2;
     std::string id;      // random; a dataset that replaces this dataset gets another id
@@ -106,6 +112,7 @@ struct DatasetInfo {
     std::string length_units;
     std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // in the imported file, before welding
     std::vector<std::string> notes; // sentences about changes that the import made, such as welded points
+    LateSource late;
     std::vector<ArrayInfo> arrays;
     std::vector<MeshInfo> meshes;
 };

@@ -39,6 +39,10 @@ std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint
     return array / "ranges" / std::to_string(chunk);
 }
 
+std::filesystem::path late_facts(const std::filesystem::path& array, std::uint64_t chunk) {
+    return array / "late" / std::to_string(chunk);
+}
+
 std::string encode_name(const std::string& name) {
     constexpr const char* digits = "0123456789ABCDEF";
     std::string encoded;

@@ -32,6 +32,10 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 // 3, the file name is "<first>.0.0".
 [[nodiscard]] std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t first, std::size_t rank);
 
+// The facts of a chunk that was written after its step (late_files.hpp).
+[[nodiscard]] std::filesystem::path late_facts(const std::filesystem::path& array, std::uint64_t chunk);
+inline constexpr const char* late_changes = "late"; // replaced whenever late arrays have been written
+
 [[nodiscard]] std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint64_t chunk);
 
 // Returns the name of the directory of an array. Each byte except A-Z a-z 0-9 _ - becomes %XX (hexadecimal). If the

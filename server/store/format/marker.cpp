@@ -50,7 +50,7 @@ MarkedArray parse_array(const JsonReader& value, std::uint64_t default_chunk) {
         array.checksum = sum->text();
         if (!is_checksum(array.checksum)) sum->refuse_damage("must be \"xxh3:\" and 16 hexadecimal digits");
     }
-    if (const auto lazy = value.find("lazy")) array.lazy = lazy->flag();
+    if (const auto late = value.find("lazy")) array.late = late->flag();
     array.statistics = parse_statistics(value);
     return array;
 }
@@ -75,7 +75,7 @@ nlohmann::json to_json(const CellExtreme& extreme) { return {{"cell", extreme.ce
 nlohmann::json to_json(const MarkedArray& array) {
     nlohmann::json json{{"chunk", array.chunk}};
     if (!array.checksum.empty()) json["checksum"] = array.checksum;
-    if (array.lazy) json["lazy"] = true;
+    if (array.late) json["lazy"] = true;
     if (array.statistics) {
         json["range"] = array.statistics->range;
         json["component_ranges"] = array.statistics->component_ranges;
@@ -155,6 +155,20 @@ std::string to_text(const Marker& marker) {
                             {"steps", std::move(steps)}};
     if (has_table) document["table"] = to_json(marker.table);
     return to_text(document);
+}
+
+std::optional<MarkedArray> parse_late_facts(std::string_view text, const std::filesystem::path& file,
+                                            std::uint64_t chunk) {
+    const nlohmann::json json = parse_json(text, file);
+    const JsonReader document(json, file);
+    if (const auto absent = document.find("absent"); absent && absent->flag()) return std::nullopt;
+    MarkedArray array = parse_array(document, chunk);
+    if (array.chunk != chunk || array.late) document.refuse_damage("must describe chunk " + std::to_string(chunk));
+    return array;
+}
+
+std::string late_facts_text(const std::optional<MarkedArray>& array) {
+    return to_text(array ? to_json(*array) : nlohmann::json{{"absent", true}});
 }
 
 } // namespace server::store

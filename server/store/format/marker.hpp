@@ -14,7 +14,7 @@ struct MarkedArray {
     std::uint64_t chunk = 0;
     std::string checksum;                // checksum of the chunk file; empty if the file was written with plain Zarr
     std::optional<ArrayStep> statistics; // nullopt if the marker has no statistics; the reader then computes them
-    bool lazy = false;                   // true: the chunk file may not be written yet
+    bool late = false;                   // true: the chunk is written later, when a user needs it
 };
 
 struct MarkedStep {
@@ -47,5 +47,11 @@ struct Marker {
 // of the step's mesh in the table's `chunks`, plus the number of earlier steps on this mesh in the marker.
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
+
+// The file of facts beside a late chunk: what the marker says of other arrays. nullopt: the source has no such array at
+// this step. parse_late_facts throws Error that names `file` when the text is damaged.
+[[nodiscard]] std::optional<MarkedArray> parse_late_facts(std::string_view text, const std::filesystem::path& file,
+                                                          std::uint64_t chunk);
+[[nodiscard]] std::string late_facts_text(const std::optional<MarkedArray>& array);
 
 } // namespace server::store

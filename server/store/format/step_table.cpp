@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-enum Flag : std::uint32_t { has_checksum = 1, has_statistics = 2, is_lazy = 4 };
+enum Flag : std::uint32_t { has_checksum = 1, has_statistics = 2, is_late = 4 };
 
 struct Entry {
     std::uint32_t array, flags; // array: index in TableFacts::arrays
@@ -72,7 +72,7 @@ MarkedArray array_of(const Entry& entry, Taker& from, const fs::path& file) {
     MarkedArray array;
     array.chunk = entry.chunk;
     if ((entry.flags & has_checksum) != 0) array.checksum = checksum_text(entry.checksum);
-    array.lazy = (entry.flags & is_lazy) != 0;
+    array.late = (entry.flags & is_late) != 0;
     if ((entry.flags & has_statistics) == 0) return array;
     ArrayStep& statistics = array.statistics.emplace();
     statistics.range = entry.range;
@@ -102,7 +102,7 @@ void put_array(std::vector<std::byte>& out, std::uint32_t number, const MarkedAr
         entry.flags |= has_checksum;
         entry.checksum = checksum_number(array.checksum);
     }
-    if (array.lazy) entry.flags |= is_lazy;
+    if (array.late) entry.flags |= is_late;
     if (array.statistics) {
         entry.flags |= has_statistics;
         entry.range = array.statistics->range;

@@ -9,7 +9,10 @@ Steps::Steps(std::vector<double> times, std::function<Step(std::size_t)> read, c
     : times_(std::move(times)), read_(std::move(read)), known_(times_.size()) {
     if (before == nullptr) return;
     const std::lock_guard lock(before->mutex_);
-    std::copy_n(before->known_.begin(), std::min(before->known_.size(), known_.size()), known_.begin());
+    const auto is_late = [](const auto& array) { return array.second.late; };
+    for (std::size_t step = 0; step < std::min(before->known_.size(), known_.size()); ++step)
+        if (const auto& known = before->known_[step]; known && std::ranges::none_of(known->arrays, is_late))
+            known_[step] = known;
 }
 
 const Step& Steps::operator[](std::size_t step) const {

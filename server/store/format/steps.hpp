@@ -16,7 +16,7 @@ namespace server::store {
 class Steps {
 public:
     // `read`: reads and returns a step. Several threads may call it at the same time. `before`: null, or the steps of
-    // the same dataset when it had fewer steps. Steps that `before` has already read are not read again.
+    // the same dataset earlier. Steps that `before` has already read are not read again, unless arrays were late.
     Steps(std::vector<double> times, std::function<Step(std::size_t)> read, const Steps* before);
 
     [[nodiscard]] std::size_t size() const { return times_.size(); }

@@ -506,7 +506,7 @@ TEST_F(CatalogTest, WatchSurvivesAChangedFileWithoutAChecksum) {
     document["ciel"]["checksums"].erase("cell_types");
     test::overwrite_file(attributes, document.dump());
     Catalog catalog({directory});
-    (void)catalog.open("box");
+    (void)catalog.open("box")->dataset()->mesh_arrays().points(0, 0); // maps the file
     Heard heard;
     const auto handle = catalog.watch([&](const std::string& name) { heard.add(name); });
     fs::last_write_time(types, fs::last_write_time(types) + std::chrono::seconds(5));
@@ -518,12 +518,12 @@ TEST_F(CatalogTest, WatchSurvivesAFolderThatCannotBeSearched) {
     Catalog catalog({directory});
     const auto loaded = catalog.open("box");
     (void)loaded->topology(0);
+    const auto p = test::values_of(27, 5);
+    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
     fs::remove_all(cells);
     fs::create_symlink(cells, cells); // each access fails with ELOOP, also for root
     Heard heard;
     const auto handle = catalog.watch([&](const std::string& name) { heard.add(name); });
-    const auto p = test::values_of(27, 5);
-    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
     EXPECT_TRUE(heard.wait_for(1));
     EXPECT_EQ(loaded->dataset()->steps().size(), 4U);
 }

@@ -405,7 +405,7 @@ TEST(SentenceForClients, HasNoPathOfAFileSystemError) {
                 testing::AllOf(testing::HasSubstr("Permission denied"), testing::Not(testing::HasSubstr("/srv"))));
 }
 
-TEST(Damaged, ALazyArrayIsAnErrorUntilItsChunkStands) {
+TEST(Damaged, ALateArrayIsAnErrorUntilItsChunkIsThere) {
     const test::Folder scratch;
     const fs::path directory = scratch / "box.ciel";
     test::write_box(directory, test::box(2, 2, 2));
@@ -413,7 +413,7 @@ TEST(Damaged, ALazyArrayIsAnErrorUntilItsChunkStands) {
     fs::remove(directory / "meshes/0/arrays/p/0.0");
     edit("steps.json", [](json& j) { j["steps"][0]["arrays"]["p"] = {{"chunk", 0}, {"lazy", true}}; })(directory);
     const auto dataset = Dataset::open(directory);
-    EXPECT_TRUE(dataset->steps()[0].arrays.at("p").lazy);
+    EXPECT_TRUE(dataset->steps()[0].arrays.at("p").late);
     EXPECT_THROW((void)dataset->values("p", 0), Error);
     test::overwrite_file(directory / "meshes/0/arrays/p/0.0", chunk);
     EXPECT_THAT(dataset->values("p", 0), testing::ElementsAreArray(test::values_of(27, 0)));

@@ -159,7 +159,7 @@ TEST_F(RewriteTest, LeavesNothingWhenItIsCancelledOrTheDatasetIsDamaged) {
     EXPECT_EQ(std::distance(fs::directory_iterator(scratch.path()), {}), 1) << "the old dataset alone";
 }
 
-TEST_F(RewriteTest, SaysWhichArraysWereNeverExtracted) {
+TEST_F(RewriteTest, SaysWhichArraysWereNeverRead) {
     const fs::path marker = old / "steps.json";
     std::string text = test::read_file(marker);
     const std::size_t at =
@@ -169,7 +169,7 @@ TEST_F(RewriteTest, SaysWhichArraysWereNeverExtracted) {
     fs::remove(old / "meshes/0/arrays/p/0.0");
     const auto left_out = rewrite(old, made, false, progress);
     ASSERT_EQ(left_out.size(), 1U);
-    EXPECT_THAT(left_out[0], testing::HasSubstr("array 'p' is not yet extracted"));
+    EXPECT_THAT(left_out[0], testing::HasSubstr("array 'p' has not been read from its source yet"));
     const auto dataset = Dataset::open(made);
     EXPECT_FALSE(dataset->steps()[0].arrays.contains("p"));
     EXPECT_TRUE(dataset->steps()[0].arrays.contains("U"));

@@ -34,12 +34,12 @@ std::vector<MarkedStep> steps_of_all_kinds() {
     cells.component_ranges = {{1, 2}};
     cells.missing = 3;
     cells.extremes = {{{4, {0.1, 0.2, 0.3}}, {5, {-1, 1e9, 0}}}};
-    const MarkedArray plain{9, "", std::nullopt, false}, lazy{2, "", std::nullopt, true};
+    const MarkedArray plain{9, "", std::nullopt, false}, late{2, "", std::nullopt, true};
     const MarkedArray with_ranges{3, "xxh3:00ff00ff12345678", vector, false},
         with_extremes{4, "xxh3:fedcba9876543210", cells, false};
     return {{-1.5, 0, 0, {}},
             {0, 0, 1, {{"p", plain}, {"U", with_ranges}}},
-            {0.5, 2, 0, {{"cell:p", with_extremes}, {"lazy one", lazy}, {"U", with_ranges}}},
+            {0.5, 2, 0, {{"cell:p", with_extremes}, {"late one", late}, {"U", with_ranges}}},
             {1e99, 1, 4'000'000'000, {{"p", with_ranges}}}};
 }
 

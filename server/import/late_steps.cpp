@@ -1,0 +1,148 @@
+#include "import/late_steps.hpp"
+
+#include "import/mesh/fingerprint.hpp"
+#include "import/progress.hpp"
+#include "import/readers/open_source.hpp"
+#include "import/source_facts.hpp"
+#include "import/values/seam_difference.hpp"
+#include "import/values/step_arrays.hpp"
+#include "store/late_writer.hpp"
+#include "store/mesh_arrays.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+namespace server::importer {
+namespace {
+
+ComponentsOf components_of(const store::Dataset& dataset) {
+    ComponentsOf components;
+    for (const store::ArrayInfo& array : dataset.info().arrays) {
+        FieldName field;
+        field.components = array.components;
+        field.component_names = array.component_names;
+        components.emplace(array.name, components_text(field));
+    }
+    return components;
+}
+
+std::string at_time(const store::Dataset& dataset, std::size_t step) {
+    std::string text = std::to_string(dataset.steps().times()[step]);
+    while (text.ends_with('0')) text.pop_back();
+    return "at time " + (text.ends_with('.') ? text + "0" : text);
+}
+
+class LateReader {
+public:
+    explicit LateReader(const LateOptions& options)
+        : dataset_(store::Dataset::open(options.dataset, store::LackingRanges::left_out, std::nullopt, options.folder)),
+          facts_(dataset_->info().late), writer_(dataset_, options.folder, [] { progress(0, "waiting"); }),
+          selection_(facts_.arrays()) {}
+
+    void run(std::vector<std::size_t> steps) {
+        std::erase_if(steps, [&](std::size_t step) { return !writer_.lacks(step); });
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            first_ = static_cast<double>(i) / static_cast<double>(steps.size());
+            share_ = 1 / static_cast<double>(steps.size());
+            read(steps[i]);
+        }
+    }
+    [[nodiscard]] std::vector<std::size_t> all_steps() const {
+        std::vector<std::size_t> steps(dataset_->steps().size());
+        std::iota(steps.begin(), steps.end(), std::size_t{0});
+        return steps;
+    }
+
+private:
+    void tell(double of_step, const std::string& what, std::size_t step) const {
+        progress(0.99 * (first_ + share_ * of_step), what + ", step " + std::to_string(step));
+    }
+
+    void open() {
+        if (source_) return;
+        facts_.check_unchanged();
+        source_ = open_source(facts_.inputs(), facts_.source_options());
+        arrays_.emplace(selection_, *source_, FieldComponents(components_of(*dataset_)));
+    }
+
+    [[nodiscard]] std::size_t step_of_source(std::size_t step) const {
+        const std::vector<double>& times = source_->times();
+        const auto found = std::ranges::find(times, dataset_->steps().times()[step]);
+        if (found == times.end())
+            throw ciel::Error("has no step " + at_time(*dataset_, step) + " any more; import it again with --force");
+        return static_cast<std::size_t>(found - times.begin());
+    }
+
+    void read(std::size_t step) {
+        tell(0, "opening", step);
+        open();
+        const std::size_t of_source = step_of_source(step);
+        const auto reading = [&](double share) { tell(0.5 * share, "reading", step); };
+        InputGrids input_grids = collect_input_grids(source_->read(of_source, reading));
+        source_->add_known(input_grids, {});
+        require_volumes(input_grids);
+        tell(0.5, "matching the mesh", step);
+        match_mesh(input_grids, step);
+        tell(0.7, "making arrays", step);
+        const auto topology = [this]() -> const ciel::Topology& { return topology_of_mesh(); };
+        const auto& arrays = arrays_->make(of_source, mesh_, input_grids, topology, point_maker_);
+        facts_.check_unchanged(); // otherwise the arrays may be of two different runs
+        tell(0.9, "writing", step);
+        for (const store::ArrayValues& array : arrays)
+            if (dataset_->find(array.info.name) != nullptr) writer_.put(step, array);
+        writer_.end_step(step);
+        std::printf("step %zu\n", step);
+        std::fflush(stdout);
+    }
+
+    const ciel::Topology& topology_of_mesh() {
+        if (!topology_) topology_ = dataset_->topology(0);
+        return *topology_;
+    }
+
+    [[noreturn]] void refuse_mesh(std::size_t step) const {
+        throw ciel::Error("has another mesh " + at_time(*dataset_, step) +
+                          " than at its first step; import it again with --all --force");
+    }
+
+    void match_mesh(const InputGrids& input_grids, std::size_t step) {
+        const Fingerprint print = fingerprint(input_grids);
+        if (mesh_.point_count > 0) {
+            if (print.cells != print_.cells || print.positions != print_.positions) refuse_mesh(step);
+            update_step_mesh(mesh_, input_grids, false);
+            if (!difference_across(mesh_.seams, mesh_.members).empty()) refuse_mesh(step);
+            return;
+        }
+        mesh_ = build_step_mesh(input_grids, facts_.weld(), difference_across);
+        mesh_.cells.reset();
+        const ciel::FaceMeshView stored = dataset_->mesh_arrays().points(0, 0);
+        if (!std::ranges::equal(mesh_.point_of_vertex, dataset_->original_vertex(0)) ||
+            !std::ranges::equal(mesh_.cell_of_cell, dataset_->original_cell(0)) ||
+            !std::ranges::equal(mesh_.positions.bytes(), stored.positions.bytes()))
+            refuse_mesh(step);
+        mesh_.positions = store::Values(stored.positions, stored.keep_alive);
+        print_ = print;
+    }
+
+    std::shared_ptr<store::Dataset> dataset_;
+    SourceFacts facts_;
+    store::LateWriter writer_;
+    ArraySelection selection_;
+    std::unique_ptr<Source> source_;
+    std::optional<StepArrays> arrays_;
+    StepMesh mesh_;
+    Fingerprint print_;
+    std::optional<ciel::Topology> topology_;
+    std::unique_ptr<PointMaker> point_maker_;
+    double first_ = 0, share_ = 1;
+};
+
+} // namespace
+
+void read_late_steps(const LateOptions& options) {
+    LateReader reader(options);
+    reader.run(options.steps.empty() ? reader.all_steps() : options.steps);
+}
+
+} // namespace server::importer

@@ -1,0 +1,114 @@
+#include "importing/step_reader.hpp"
+
+#include "importing/importer.hpp"
+#include "importing/without_folder.hpp"
+#include "store/files/files.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace server::importing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::chrono::seconds failure_lasts{30};
+constexpr std::size_t steps_ahead = 2;
+
+} // namespace
+
+struct StepReader::Work {
+    std::shared_ptr<const store::Dataset> dataset;
+    std::vector<std::size_t> wanted; // steps that were asked for; the last one is read first
+    std::vector<std::size_t> ahead;  // steps that follow the step that was asked for last
+    std::optional<std::size_t> running;
+    struct Failure {
+        std::string problem;
+        Clock::time_point at;
+    };
+    std::map<std::size_t, Failure> failures; // by step
+    std::atomic<bool> cancel{false};
+    bool is_running = false;
+    std::jthread thread;
+};
+
+StepReader::StepReader(std::filesystem::path folder, std::function<void(const std::string&)> tell)
+    : folder_(std::move(folder)), tell_(std::move(tell)) {}
+
+StepReader::~StepReader() {
+    {
+        const std::scoped_lock lock(mutex_);
+        ending_ = true;
+        for (auto& [directory, work] : works_) work->cancel = true;
+    }
+    works_.clear(); // waits for the threads
+}
+
+store::LateAnswer StepReader::ask(const store::Dataset& dataset, std::size_t step) {
+    const std::scoped_lock lock(mutex_);
+    auto& found = works_[dataset.directory()];
+    if (!found) found = std::make_unique<Work>();
+    Work& work = *found;
+    work.dataset = dataset.shared_from_this();
+    if (const auto failure = work.failures.find(step); failure != work.failures.end()) {
+        if (Clock::now() - failure->second.at < failure_lasts)
+            return {"cannot be read from its source: " + failure->second.problem, true};
+        work.failures.erase(failure);
+    }
+    if (ending_) return {"is not read any more, because the server is about to stop", true};
+    std::erase(work.wanted, step);
+    work.wanted.push_back(step);
+    const bool is_running_another = work.running && *work.running != step;
+    if (is_running_another && std::ranges::find(work.wanted, *work.running) == work.wanted.end()) work.cancel = true;
+    if (!work.is_running) {
+        work.is_running = true;
+        work.thread = std::jthread([this, &work] { read_all(work); });
+    }
+    return {"is being read from its source", false};
+}
+
+void StepReader::read_all(Work& work) {
+    std::unique_lock lock(mutex_);
+    while (!ending_ && (!work.wanted.empty() || !work.ahead.empty())) {
+        const bool is_asked_for = !work.wanted.empty();
+        const std::size_t step = is_asked_for ? work.wanted.back() : work.ahead.front();
+        if (!is_asked_for) work.ahead.erase(work.ahead.begin());
+        work.running = step;
+        work.cancel = false;
+        const auto dataset = work.dataset;
+        lock.unlock();
+        const std::string problem = read(*dataset, step, work.cancel);
+        lock.lock();
+        work.running.reset();
+        if (ending_) break;
+        const bool was_asked_for = std::erase(work.wanted, step) > 0;
+        if (!problem.empty() && !work.cancel) work.failures[step] = {problem, Clock::now()};
+        if (!was_asked_for) continue;
+        work.ahead.clear();
+        for (std::size_t next = step + 1; problem.empty() && next <= step + steps_ahead; ++next)
+            if (next < dataset->steps().size()) work.ahead.push_back(next);
+        lock.unlock();
+        tell_(dataset->info().name);
+        lock.lock();
+    }
+    work.is_running = false;
+}
+
+// Returns the error sentence; empty on success.
+std::string StepReader::read(const store::Dataset& dataset, std::size_t step, const std::atomic<bool>& cancel) const {
+    try {
+        if (dataset.late_chunks(step).empty()) return {};
+        ImportValues values{{"inputs", {dataset.directory().string()}}, {"step", {std::to_string(step)}}};
+        if (!folder_.empty()) values["late-folder"] = {folder_.string()};
+        const ImportListener silent{[](double, const std::string&) {}, [](const std::string&) {}};
+        std::string problem = run_import(values, {}, silent, cancel).problem;
+        problem = without_folder(std::move(problem), dataset.directory().parent_path());
+        for (const std::string& input : dataset.info().late.inputs)
+            problem = without_folder(std::move(problem), std::filesystem::path(input).parent_path());
+        return problem;
+    } catch (const std::exception& error) {
+        return store::sentence_for_clients(error);
+    }
+}
+
+} // namespace server::importing

@@ -1,0 +1,38 @@
+// LateFiles: the files of late arrays, which are read from the source of an import when a user needs them. They are in
+// the dataset, or in a folder of their own if the dataset cannot be written to (store/README.md, "Late arrays").
+#pragma once
+
+#include "store/cache/stored_array.hpp"
+#include "store/format/marker.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace server::store {
+
+class LateFiles {
+public:
+    // `folder`: of the late files of all datasets that cannot be written to; may be empty.
+    LateFiles(std::filesystem::path dataset, const std::filesystem::path& folder, const std::string& dataset_id);
+
+    // Returns the array with the directory that has the file of the chunk.
+    [[nodiscard]] ArrayLayout layout_of(const ArrayLayout& array, std::uint64_t chunk) const;
+    // Reads whether late arrays of the step have been written since. Removes arrays that the source does not have at
+    // this step. `arrays`: by name. Throws Error when a file is damaged.
+    void complete(MarkedStep& step, const std::map<std::string, ArrayLayout>& arrays) const;
+    // Returns a number that changes whenever late arrays have been written.
+    [[nodiscard]] std::uint64_t changes() const;
+    // Returns the directory in which this process writes late files. May not exist yet.
+    [[nodiscard]] std::filesystem::path writable() const;
+    [[nodiscard]] const std::filesystem::path& elsewhere() const { return elsewhere_; } // empty if there is no folder
+
+private:
+    [[nodiscard]] std::optional<MarkedArray> complete(const ArrayLayout& array, MarkedArray entry) const;
+    [[nodiscard]] std::filesystem::path elsewhere(const std::filesystem::path& directory) const;
+
+    std::filesystem::path dataset_, elsewhere_;
+};
+
+} // namespace server::store

@@ -1,0 +1,247 @@
+"""Imports that write the first and the last step, and read the others from the source when they are needed."""
+
+import asyncio
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import threading
+
+import numpy as np
+import pytest
+import requests
+import vtk
+from import_support import Dataset
+from program import ciel
+from serve_process import PATIENCE, Server, client, until
+from vtk_files import add_array, structured, with_fields, write
+
+STEPS = 6
+
+
+def write_pvd(path: pathlib.Path, files: list[str]) -> pathlib.Path:
+    rows = "".join(f'<DataSet timestep="{step}" part="0" file="{file}"/>' for step, file in enumerate(files))
+    path.write_text(f'<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1"><Collection>{rows}</Collection></VTKFile>')
+    return path
+
+
+def grid(step: int):
+    return with_fields(structured(5), shift=float(step))
+
+
+def write_series(folder: pathlib.Path, grids) -> pathlib.Path:
+    folder.mkdir(exist_ok=True)
+    files = []
+    for step, data in enumerate(grids):
+        files.append(f"{step}.vts")
+        write(vtk.vtkXMLStructuredGridWriter(), folder / files[-1], data)
+    return write_pvd(folder / "run.pvd", files)
+
+
+@pytest.fixture()
+def source(tmp_path):
+    return write_series(tmp_path / "source", [grid(step) for step in range(STEPS)])
+
+
+def run(*arguments, cache: pathlib.Path):
+    return ciel(*arguments, timeout=300, env={**os.environ, "XDG_CACHE_HOME": str(cache)})
+
+
+def imported(source, output, cache, *options):
+    done = run("import", source, "-o", output, *options, cache=cache)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def written(output) -> list[int]:
+    """The steps whose chunks of the array f are in the dataset."""
+    return sorted(int(file.name.split(".")[0]) for file in (output / "meshes/0/arrays/f").glob("[0-9]*"))
+
+
+def files_of(output) -> dict[str, bytes]:
+    """All chunks and ranges of arrays. The ranges contain the dataset's id, which differs."""
+    array = output / "meshes/0/arrays"
+    return {str(file.relative_to(array)): file.read_bytes() for file in array.rglob("*")
+            if file.is_file() and file.parent.name not in ("late", "ranges")}
+
+
+def test_the_first_and_the_last_step_are_written_and_the_others_are_late(source, tmp_path):
+    said = imported(source, tmp_path / "a.ciel", tmp_path)
+    assert "4 steps are read from the source when they are needed; --all writes them now" in said
+    assert written(tmp_path / "a.ciel") == [0, 5]
+    dataset = Dataset(tmp_path / "a.ciel")
+    assert dataset.times == list(range(STEPS)) and dataset.array("f").shape[0] == STEPS
+    assert dataset.facts["late"]["inputs"] == [str(source)]
+    assert "16 not yet read from the source" in run("info", tmp_path / "a.ciel", cache=tmp_path).stdout
+
+
+def test_all_writes_the_same_bytes_now_or_later(source, tmp_path):
+    assert "are read from the source" not in imported(source, tmp_path / "whole.ciel", tmp_path, "--all")
+    imported(source, tmp_path / "late.ciel", tmp_path)
+    one = run("import", tmp_path / "late.ciel", "--step", "3", cache=tmp_path)
+    assert one.returncode == 0, one.stderr
+    assert written(tmp_path / "late.ciel") == [0, 3, 5]
+    rest = run("import", tmp_path / "late.ciel", "--all", cache=tmp_path)
+    assert rest.returncode == 0, rest.stderr
+    assert files_of(tmp_path / "late.ciel") == files_of(tmp_path / "whole.ciel")
+    summary = [json.loads(run("info", tmp_path / f"{name}.ciel", "--json", cache=tmp_path).stdout) for name in ("late", "whole")]
+    assert summary[0]["arrays"] == summary[1]["arrays"]
+
+
+def test_a_short_series_is_written_whole(tmp_path):
+    source = write_series(tmp_path / "source", [grid(0), grid(1)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    assert written(tmp_path / "a.ciel") == [0, 1]
+
+
+def test_a_mesh_that_changes_until_the_last_step_is_written_whole(tmp_path):
+    moved = structured(5, bend=0.3)
+    source = write_series(tmp_path / "source", [grid(0), grid(1), grid(2), with_fields(moved)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    assert written(tmp_path / "a.ciel") == [0, 1, 2, 3]
+
+
+def test_a_step_with_another_mesh_is_refused(tmp_path):
+    source = write_series(tmp_path / "source", [grid(0), with_fields(structured(5, bend=0.3)), grid(2), grid(3)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    refused = run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path)
+    assert refused.returncode == 1 and "has another mesh at time 1.0" in refused.stderr and "--all --force" in refused.stderr
+    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+    assert written(tmp_path / "a.ciel") == [0, 2, 3]
+
+
+def test_an_array_that_a_step_lacks_is_absent_there(tmp_path):
+    lacking = structured(5)
+    add_array(lacking.GetPointData(), "f", np.arange(125))
+    source = write_series(tmp_path / "source", [grid(0), lacking, grid(2), grid(3)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    assert run("import", tmp_path / "a.ciel", "--all", cache=tmp_path).returncode == 0
+    info = json.loads(run("info", tmp_path / "a.ciel", "--json", cache=tmp_path).stdout)
+    times = {array["name"]: array["times"] for array in info["arrays"]}
+    assert times["f"] == [0, 1, 2, 3] and times["v"] == [0, 2, 3]
+
+
+def test_a_source_that_changed_or_is_gone_is_a_sentence(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    os.utime(source, (source.stat().st_mtime + 5,) * 2)
+    changed = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
+    assert changed.returncode == 1 and "has changed since it was imported" in changed.stderr
+    source.unlink()
+    gone = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
+    assert gone.returncode == 1 and "is not there any more" in gone.stderr
+    assert written(tmp_path / "a.ciel") == [0, 5]
+
+
+@pytest.mark.parametrize("arguments", [["--step", "x"], ["--step", "-1"], ["--step", "1", "-o", "b.ciel"]])
+def test_wrong_use_is_told(source, tmp_path, arguments):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    assert run("import", tmp_path / "a.ciel", *arguments, cache=tmp_path).returncode == 2
+    assert run("import", source, "-o", tmp_path / "b.ciel", "--step", "1", cache=tmp_path).returncode == 2
+
+
+def test_a_full_disk_leaves_the_step_late(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    full = subprocess.run(["bash", "-c", 'ulimit -f 1; trap "" XFSZ; exec "$0" "$@"', os.environ.get("CIEL_BINARY", "build/ciel"),
+                           "import", tmp_path / "a.ciel", "--step", "2"], capture_output=True, text=True,
+                          env={**os.environ, "XDG_CACHE_HOME": str(tmp_path)})
+    assert full.returncode != 0
+    assert run("info", tmp_path / "a.ciel", cache=tmp_path).returncode == 0
+    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+    assert Dataset(tmp_path / "a.ciel").array("f")[2].max() == pytest.approx(5.5)
+
+
+def test_two_that_need_the_same_step_read_it_once_each_and_agree(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    ends = []
+    both = [threading.Thread(target=lambda: ends.append(run("import", tmp_path / "a.ciel", "--all", cache=tmp_path).returncode))
+            for _ in range(2)]
+    for one in both:
+        one.start()
+    for one in both:
+        one.join()
+    assert ends == [0, 0]
+    assert written(tmp_path / "a.ciel") == list(range(STEPS))
+    assert run("info", tmp_path / "a.ciel", cache=tmp_path).returncode == 0
+
+
+def test_extract_reads_the_step_that_it_needs(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    imported(source, tmp_path / "b.ciel", tmp_path, "--all")
+    for name in "ab":
+        done = run("extract", tmp_path / f"{name}.ciel", "--iso", "f=4", "--time", "3", "-o", tmp_path / f"{name}.ply", cache=tmp_path)
+        assert done.returncode == 0, done.stderr
+    assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
+    assert written(tmp_path / "a.ciel") == [0, 3, 5]
+
+
+def scene_at(time: float) -> dict:
+    return {"dataset": "a", "time": time, "layers": {"iso": {"type": "iso", "array": "f", "values": [4]}}}
+
+
+def answer_of(server, method: str, **params) -> dict:
+    return requests.post(server.base + "/rpc", timeout=PATIENCE, headers={"Authorization": f"Bearer {server.token}"},
+                         json={"jsonrpc": "2.0", "id": 1, "method": method, "params": params}).json()
+
+
+def serve(dataset, tmp_path):
+    return Server(dataset, "--data-dir", tmp_path / "cache")
+
+
+def test_a_picture_waits_for_its_step_and_the_next_ones_are_read_ahead(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    imported(source, tmp_path / "b.ciel", tmp_path, "--all")
+    with serve(tmp_path / "a.ciel", tmp_path) as server, Server(tmp_path / "b.ciel") as whole:
+        size = {"width": 200, "height": 150}
+        picture = server.call("picture.render", scene=scene_at(1), **size)["data"]
+        assert picture == whole.call("picture.render", scene={**scene_at(1), "dataset": "b"}, **size)["data"]
+        until(lambda: written(tmp_path / "a.ciel") == [0, 1, 2, 3, 5])
+        histogram = server.call("dataset.histogram", dataset="a", array="f", time=4, bins=16)
+        assert histogram == whole.call("dataset.histogram", dataset="b", array="f", time=4, bins=16)
+
+
+def test_a_view_is_drawn_when_its_step_has_been_read(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+
+    async def watch(server):
+        async with client(server) as caller:
+            session = (await caller.call("session.open", scene=scene_at(0)))["session"]
+            await caller.call("view.open", session=session, width=160, height=120, stream="geometry")
+            await caller.frame(1)
+            revision = (await caller.call("scene.patch", session=session, patch={"time": 2}))["revision"]
+            while (frame := await caller.frame(revision)).triangles == 0:
+                pass
+            return frame.time
+
+    with serve(tmp_path / "a.ciel", tmp_path) as server:
+        assert asyncio.run(watch(server)) == 2
+
+
+def test_a_step_that_cannot_be_read_is_told_and_the_server_goes_on(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    shutil.move(source, tmp_path / "elsewhere")
+    with serve(tmp_path / "a.ciel", tmp_path) as server:
+        answer = answer_of(server, "picture.render", scene=scene_at(1), width=64, height=48)
+        assert "result" in answer, answer
+        assert any("cannot be read from its source" in remark for remark in answer["result"]["remarks"])
+        assert str(tmp_path) not in json.dumps(answer), "clients do not learn paths of the server"
+        assert "result" in answer_of(server, "picture.render", scene=scene_at(5), width=64, height=48)
+
+
+def test_a_dataset_that_cannot_be_written_to_is_completed_elsewhere(source, tmp_path):
+    if os.getuid() != 0:
+        pytest.skip("needs root to serve as another user")
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    for path in [tmp_path, *tmp_path.rglob("*")]:
+        path.chmod(0o755 if path.is_dir() else 0o644)
+    for parent in tmp_path.parents:
+        if parent != pathlib.Path("/tmp") and parent != pathlib.Path("/"):
+            parent.chmod(0o755)
+    cache = tmp_path / "cache"
+    cache.mkdir()
+    os.chown(cache, 65534, 65534)
+    with Server(tmp_path / "a.ciel", "--data-dir", cache, user=65534) as server:
+        answer = answer_of(server, "picture.render", scene=scene_at(2), width=64, height=48)
+        assert "result" in answer and answer["result"]["remarks"] == [], answer
+    assert written(tmp_path / "a.ciel") == [0, 5]
+    assert list((cache / "late").rglob("f/2.0"))
