@@ -57,7 +57,11 @@ void complete_sign(const fs::path& input, const fs::path& target) {
 // Returns the error sentence of the import; empty on success.
 std::string import_one(const fs::path& input, const fs::path& target, const ImportLimits& limits,
                        const ImportListener& listener, const std::atomic<bool>& cancel) {
-    store::make_directory(target.parent_path());
+    try {
+        store::make_directory(target.parent_path());
+    } catch (const ciel::Error& error) {
+        return error.what();
+    }
     listener.line("importing " + input.string());
     const auto imported = last_change(input); // read before the import, because the import may miss later changes
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
