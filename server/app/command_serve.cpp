@@ -123,7 +123,7 @@ void add_failed(engine::Server& server, const std::vector<importing::Servable>& 
 // Tells the server that late steps have been read, from any thread, while the server exists.
 class LateSteps {
 public:
-    void tell(const std::string& dataset) {
+    void tell(const fs::path& dataset) {
         const std::scoped_lock lock(mutex_);
         if (server_ != nullptr) server_->late_steps_changed(dataset);
     }
@@ -171,7 +171,7 @@ int serve(ServeOptions& options) {
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     LateSteps late_steps;
     const fs::path late_folder = late_folder_in(options.import_folder);
-    importing::StepReader step_reader(late_folder, [&](const std::string& dataset) { late_steps.tell(dataset); });
+    importing::StepReader step_reader(late_folder, [&](const fs::path& dataset) { late_steps.tell(dataset); });
     server_options.late = {
         late_folder, [&](const store::Dataset& dataset, std::size_t step) { return step_reader.ask(dataset, step); }};
     engine::Server server(std::move(server_options));

@@ -126,7 +126,11 @@ struct Server::State {
         const auto test_frames = [this, test_pictures](Worker& worker) {
             const frames::TestPictureResult result = tested(worker);
             if (!result.passed) return know(result);
-            if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
+            try {
+                if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
+            } catch (const std::exception& error) { // out of memory
+                know({.problem = store::sentence_for_clients(error)});
+            }
         };
         try {
             if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
@@ -185,10 +189,19 @@ void Server::look_for_steps(const std::string& name, store::LoadedDataset& datas
     if (dataset.refresh()) state_->tell_steps(name);
 }
 
-void Server::late_steps_changed(const std::string& name) {
-    for (const auto& loaded : state_->catalog.loaded())
-        if (loaded->dataset()->info().name == name) (void)loaded->refresh();
-    state_->tell_steps(name);
+void Server::late_steps_changed(const std::filesystem::path& dataset) noexcept {
+    try {
+        for (const auto& loaded : state_->catalog.loaded()) {
+            if (loaded->dataset()->directory() != dataset) continue;
+            try {
+                (void)loaded->refresh();
+            } catch (const ciel::Error&) { // it was replaced or is damaged; the watch notices
+            }
+        }
+        for (const auto& entry : state_->catalog.list())
+            if (entry.directory == dataset) state_->tell_steps(entry.name);
+    } catch (const std::exception&) { // memory is short; the watch tells the steps
+    }
 }
 
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }

@@ -61,8 +61,8 @@ public:
 
     // If steps were appended to the dataset, notifies clients at once, before the catalog's watch finds the steps.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
-    // Late arrays have been read, or cannot be read: their views are drawn again, with what the dataset has now.
-    void late_steps_changed(const std::string& name);
+    // Late arrays have been read, or cannot be read: the views of the dataset are drawn again, with what it has now.
+    void late_steps_changed(const std::filesystem::path& dataset) noexcept;
     // Until connection_closed(), the connection gets the notification `dataset.changed` when steps are appended.
     void connection_opened(std::shared_ptr<sessions::Connection> connection);
     void connection_closed(std::uint64_t connection_id);

@@ -111,7 +111,7 @@ namespace {
 void tell_not_accepted(GatewayState& state, const std::exception& failure) noexcept {
     try {
         if (state.log_limiter.allows("accept")) spdlog::warn("a connection was not accepted: {}", failure.what());
-    } catch (const std::bad_alloc&) { // there is no memory for the line either
+    } catch (const std::exception&) { // there is no memory for the line either
     }
 }
 
@@ -136,17 +136,19 @@ asio::awaitable<void> accept_connections(tcp::acceptor& acceptor, asio::io_conte
                                          asio::thread_pool& workers) {
     const std::size_t files_at_start = count_files();
     asio::steady_timer pause(io);
+    std::chrono::milliseconds wait{0};
     while (acceptor.is_open()) {
-        auto wait = pause_after_failure;
         try {
+            error_code ignored;
+            if (wait.count() > 0) {
+                pause.expires_after(wait);
+                co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
+            }
             wait = co_await accept_connection(acceptor, io, files_at_start, state, workers);
         } catch (const std::exception& failure) { // no descriptor or no memory is free; wait until connections end
             tell_not_accepted(state, failure);
+            wait = pause_after_failure;
         }
-        if (wait.count() == 0) continue;
-        error_code ignored;
-        pause.expires_after(wait);
-        co_await pause.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
 }
 

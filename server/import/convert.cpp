@@ -117,7 +117,7 @@ private:
     // Otherwise returns false; the last step is then read again.
     bool leave_steps_late() {
         const std::vector<double>& times = source_.times();
-        if (options_.all || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()))
+        if (!options_.on_demand || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()))
             return false;
         step_ = times.size() - 1;
         InputGrids input_grids;
@@ -130,6 +130,7 @@ private:
         if (print.cells != print_.cells || print.positions != print_.positions) return false;
         update_step_mesh(mesh_, input_grids, false);
         if (!difference_across(mesh_.seams, mesh_.members).empty()) return false;
+        if (!still_the_same(mesh_.joined_pieces, mesh_.members) || !facts_.is_unchanged()) return false;
         for (const std::string& sentence : source_.lost()) lose(sentence);
         const auto& arrays = make_arrays(input_grids);
         std::vector<store::ArrayInfo> infos;

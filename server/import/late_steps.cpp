@@ -1,6 +1,7 @@
 #include "import/late_steps.hpp"
 
 #include "import/mesh/fingerprint.hpp"
+#include "import/mesh/pieces.hpp"
 #include "import/progress.hpp"
 #include "import/readers/open_source.hpp"
 #include "import/source_facts.hpp"
@@ -8,6 +9,7 @@
 #include "import/values/step_arrays.hpp"
 #include "store/late_writer.hpp"
 #include "store/mesh_arrays.hpp"
+#include "store/valid_text.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -37,16 +39,27 @@ class LateReader {
 public:
     explicit LateReader(const LateOptions& options)
         : dataset_(store::Dataset::open(options.dataset, store::LackingRanges::left_out, std::nullopt, options.folder)),
-          facts_(dataset_->info().late), writer_(dataset_, options.folder, [] { progress(0, "waiting"); }),
-          selection_(facts_.arrays()) {}
+          allow_bad_(options.allow_bad), facts_(dataset_->info().late),
+          writer_(dataset_, options.folder, [] { progress(0, "waiting"); }), selection_(facts_.arrays()) {}
 
     void run(std::vector<std::size_t> steps) {
+        for (const std::size_t step : steps) (void)dataset_->steps().at(step); // throws if there is no such step
         std::erase_if(steps, [&](std::size_t step) { return !writer_.lacks(step); });
+        std::vector<std::string> problems;
         for (std::size_t i = 0; i < steps.size(); ++i) {
             first_ = static_cast<double>(i) / static_cast<double>(steps.size());
             share_ = 1 / static_cast<double>(steps.size());
-            read(steps[i]);
+            try {
+                read(steps[i]);
+            } catch (const ciel::Error& error) {
+                problems.emplace_back(error.what());
+            }
         }
+        writer_.tell_readers();
+        if (problems.empty()) return;
+        throw ciel::Error(problems.front() + (problems.size() > 1
+                                                  ? " (" + std::to_string(problems.size()) + " steps could not be read)"
+                                                  : ""));
     }
     [[nodiscard]] std::vector<std::size_t> all_steps() const {
         std::vector<std::size_t> steps(dataset_->steps().size());
@@ -87,13 +100,29 @@ private:
         tell(0.7, "making arrays", step);
         const auto topology = [this]() -> const ciel::Topology& { return topology_of_mesh(); };
         const auto& arrays = arrays_->make(of_source, mesh_, input_grids, topology, point_maker_);
+        check_whole(step);
         facts_.check_unchanged(); // otherwise the arrays may be of two different runs
         tell(0.9, "writing", step);
-        for (const store::ArrayValues& array : arrays)
-            if (dataset_->find(array.info.name) != nullptr) writer_.put(step, array);
+        for (const store::ArrayValues& array : arrays) {
+            const store::ArrayValues named{store::with_valid_text(array.info), array.values};
+            if (dataset_->find(named.info.name) != nullptr)
+                writer_.put(step, named);
+            else
+                std::printf("note The array %s %s is not in the dataset and was left out.\n", named.info.name.c_str(),
+                            at_time(*dataset_, step).c_str());
+        }
         writer_.end_step(step);
         std::printf("step %zu\n", step);
         std::fflush(stdout);
+    }
+
+    // A step that was written without a part of the source would never be read again.
+    void check_whole(std::size_t step) const {
+        std::vector<std::string> lost = source_->lost();
+        for (const std::string& sentence : arrays_->lost()) lost.push_back(sentence);
+        if (lost.empty() || allow_bad_) return;
+        throw ciel::Error("cannot be read whole " + at_time(*dataset_, step) + ": " + lost.front() +
+                          " --allow-bad accepts the loss");
     }
 
     const ciel::Topology& topology_of_mesh() {
@@ -103,7 +132,7 @@ private:
 
     [[noreturn]] void refuse_mesh(std::size_t step) const {
         throw ciel::Error("has another mesh " + at_time(*dataset_, step) +
-                          " than at its first step; import it again with --all --force");
+                          " than at its first step; import it again with --force");
     }
 
     void match_mesh(const InputGrids& input_grids, std::size_t step) {
@@ -111,7 +140,9 @@ private:
         if (mesh_.point_count > 0) {
             if (print.cells != print_.cells || print.positions != print_.positions) refuse_mesh(step);
             update_step_mesh(mesh_, input_grids, false);
-            if (!difference_across(mesh_.seams, mesh_.members).empty()) refuse_mesh(step);
+            if (!difference_across(mesh_.seams, mesh_.members).empty() ||
+                !still_the_same(mesh_.joined_pieces, mesh_.members))
+                refuse_mesh(step);
             return;
         }
         mesh_ = build_step_mesh(input_grids, facts_.weld(), difference_across);
@@ -126,6 +157,7 @@ private:
     }
 
     std::shared_ptr<store::Dataset> dataset_;
+    const bool allow_bad_;
     SourceFacts facts_;
     store::LateWriter writer_;
     ArraySelection selection_;

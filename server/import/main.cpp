@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <malloc.h>
 #include <new>
 #include <system_error>
 
@@ -65,13 +66,14 @@ Options options_from(server::importing::ImportValues& values) {
     if (!values["output"].empty()) options.output = values["output"].back();
     options.arrays = values["array"];
     options.list = flag("list");
+    options.on_demand = flag("on-demand");
     options.all = flag("all");
     for (const std::string& step : values["step"]) options.steps.push_back(step_number(step));
     if (!values["late-folder"].empty()) options.late_folder = values["late-folder"].back();
     const bool reads_late_steps = options.inputs.size() == 1 && server::store::is_dataset(options.inputs.front()) &&
                                   (options.all || !options.steps.empty());
-    if (!options.steps.empty() && !reads_late_steps)
-        throw CLI::ValidationError("--step needs a dataset NAME.ciel as the only input");
+    if ((options.all || !options.steps.empty()) && !reads_late_steps)
+        throw CLI::ValidationError("--all and --step need a dataset NAME.ciel as the only input");
     options.allow_bad = flag("allow-bad");
     options.force = flag("force");
     if (!values["plot3d"].empty()) options.source.plot3d = values["plot3d"].back();
@@ -116,7 +118,7 @@ int run_rewrite(const Options& options) {
 
 int run_late_steps(const Options& options) {
     using namespace server::importer;
-    read_late_steps({options.inputs.front(), options.steps, options.late_folder});
+    read_late_steps({options.inputs.front(), options.steps, options.late_folder, options.allow_bad});
     ignore_cancelling();
     progress(1.0, "done");
     return done;
@@ -148,8 +150,9 @@ int run(const Options& options) {
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
     if (result.late_steps > 0)
-        std::printf("%zu steps are read from the source when they are needed; --all writes them now\n",
-                    result.late_steps);
+        std::printf(
+            "%zu steps are read from the source when they are needed; `ciel import NAME.ciel --all` reads them now\n",
+            result.late_steps);
     print_memory(result.memory);
     progress(1.0, "done");
     std::vector<std::string> lost = result.lost;
@@ -196,9 +199,13 @@ int run_and_report(const Options& options) {
     }
 }
 
+// Without a fixed threshold, malloc takes ever larger arrays from its heap, and keeps their memory when they are freed.
+void return_freed_arrays() { ::mallopt(M_MMAP_THRESHOLD, 1 << 20); }
+
 } // namespace
 
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a bug in CIEL can throw before parsing
+    return_freed_arrays();
     CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
     server::importing::ImportValues values;
     add_options(app, values);

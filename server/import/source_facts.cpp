@@ -1,6 +1,7 @@
 #include "import/source_facts.hpp"
 
 #include "importing/freshness.hpp"
+#include "store/format/json_reader.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -45,7 +46,13 @@ SourceOptions SourceFacts::source_options() const {
     return {found == source_.options.end() ? std::string() : found->second.at(0)};
 }
 
+bool SourceFacts::is_unchanged() const {
+    const auto is_text = [](const std::string& input) { return store::valid_utf8(input) == input; };
+    return std::ranges::all_of(source_.inputs, is_text) && last_change(source_.inputs) == source_.changed;
+}
+
 void SourceFacts::check_unchanged() const {
+    if (source_.inputs.empty()) throw ciel::Error("the dataset does not name the source of its missing steps");
     for (const std::string& input : source_.inputs) {
         std::error_code error;
         if (!fs::exists(input, error))

@@ -19,6 +19,8 @@ public:
     [[nodiscard]] SourceOptions source_options() const;
     // Throws Error if an input is missing or has changed since the import (importing/freshness.hpp).
     void check_unchanged() const;
+    // Returns false also if a path cannot be stored, because it is not UTF-8.
+    [[nodiscard]] bool is_unchanged() const;
 
 private:
     store::LateSource source_;

@@ -23,9 +23,11 @@ inline constexpr ImportOption import_options[] = {
      "CIEL is converted to the current format. For PLOT3D, give the grid and its solutions; a grid alone also takes "
      "NAME.q from its directory."},
     {"output", "-o,--output", "NAME.ciel", false, false, "The dataset to write."},
-    {"all", "--all", "", false, false,
-     "Write all steps now. Without it, an import of more than two steps writes the first and the last one; the others "
-     "are read from the source when they are needed. With a dataset as the input: read its missing steps."},
+    {"on-demand", "--on-demand", "", false, false,
+     "Of more than two steps on one mesh, write the first and the last one. The others are read from the source when "
+     "they "
+     "are shown or extracted."},
+    {"all", "--all", "", false, false, "With a dataset as the input: read all its missing steps from the source."},
     {"step", "--step", "N", false, true, "With a dataset as the input: read step N from its source; may be repeated."},
     {"late-folder", "--late-folder", "FOLDER", false, false,
      "Where steps of a dataset are written that cannot be written to the dataset itself."},

@@ -12,15 +12,17 @@ namespace server::importing {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::seconds failure_lasts{30};
-constexpr std::size_t steps_ahead = 2;
+constexpr std::chrono::minutes failure_lasts{5};
+constexpr std::chrono::milliseconds pause_when_read{200};
+constexpr std::size_t steps_ahead = 2, most_wanted = 8; // older requests are dropped; their views ask again
 
 } // namespace
 
 struct StepReader::Work {
-    std::shared_ptr<const store::Dataset> dataset;
-    std::vector<std::size_t> wanted; // steps that were asked for; the last one is read first
-    std::vector<std::size_t> ahead;  // steps that follow the step that was asked for last
+    std::string id;                                // of the dataset
+    std::shared_ptr<const store::Dataset> dataset; // null while no step is wanted
+    std::vector<std::size_t> wanted;               // steps that were asked for; the last one is read first
+    std::vector<std::size_t> ahead;                // steps that follow the step that was asked for last
     std::optional<std::size_t> running;
     struct Failure {
         std::string problem;
@@ -32,7 +34,7 @@ struct StepReader::Work {
     std::jthread thread;
 };
 
-StepReader::StepReader(std::filesystem::path folder, std::function<void(const std::string&)> tell)
+StepReader::StepReader(std::filesystem::path folder, std::function<void(const std::filesystem::path&)> tell)
     : folder_(std::move(folder)), tell_(std::move(tell)) {}
 
 StepReader::~StepReader() {
@@ -49,25 +51,49 @@ store::LateAnswer StepReader::ask(const store::Dataset& dataset, std::size_t ste
     auto& found = works_[dataset.directory()];
     if (!found) found = std::make_unique<Work>();
     Work& work = *found;
-    work.dataset = dataset.shared_from_this();
+    if (work.id != dataset.info().id) { // another dataset has replaced it
+        work.id = dataset.info().id;
+        work.failures.clear();
+        work.wanted.clear();
+        work.ahead.clear();
+    }
     if (const auto failure = work.failures.find(step); failure != work.failures.end()) {
         if (Clock::now() - failure->second.at < failure_lasts)
             return {"cannot be read from its source: " + failure->second.problem, true};
         work.failures.erase(failure);
     }
     if (ending_) return {"is not read any more, because the server is about to stop", true};
+    work.dataset = dataset.shared_from_this();
     std::erase(work.wanted, step);
     work.wanted.push_back(step);
+    if (work.wanted.size() > most_wanted) work.wanted.erase(work.wanted.begin());
     const bool is_running_another = work.running && *work.running != step;
     if (is_running_another && std::ranges::find(work.wanted, *work.running) == work.wanted.end()) work.cancel = true;
     if (!work.is_running) {
-        work.is_running = true;
         work.thread = std::jthread([this, &work] { read_all(work); });
+        work.is_running = true;
     }
     return {"is being read from its source", false};
 }
 
-void StepReader::read_all(Work& work) {
+// Requires mutex_ to be held.
+void StepReader::end(Work& work) {
+    work.running.reset();
+    work.is_running = false;
+    work.dataset.reset();
+}
+
+void StepReader::read_all(Work& work) noexcept {
+    try {
+        read_wanted(work);
+    } catch (const std::exception&) { // memory is short; the next request begins again
+        const std::scoped_lock lock(mutex_);
+        work.wanted.clear();
+        end(work);
+    }
+}
+
+void StepReader::read_wanted(Work& work) {
     std::unique_lock lock(mutex_);
     while (!ending_ && (!work.wanted.empty() || !work.ahead.empty())) {
         const bool is_asked_for = !work.wanted.empty();
@@ -81,28 +107,32 @@ void StepReader::read_all(Work& work) {
         lock.lock();
         work.running.reset();
         if (ending_) break;
-        const bool was_asked_for = std::erase(work.wanted, step) > 0;
+        const bool was_asked_for = std::erase(work.wanted, step) > 0 || is_asked_for;
         if (!problem.empty() && !work.cancel) work.failures[step] = {problem, Clock::now()};
         if (!was_asked_for) continue;
         work.ahead.clear();
         for (std::size_t next = step + 1; problem.empty() && next <= step + steps_ahead; ++next)
             if (next < dataset->steps().size()) work.ahead.push_back(next);
         lock.unlock();
-        tell_(dataset->info().name);
+        tell_(dataset->directory());
         lock.lock();
     }
-    work.is_running = false;
+    end(work); // in the same locked section as the last look at `wanted`
 }
 
 // Returns the error sentence; empty on success.
 std::string StepReader::read(const store::Dataset& dataset, std::size_t step, const std::atomic<bool>& cancel) const {
     try {
-        if (dataset.late_chunks(step).empty()) return {};
+        if (dataset.late_chunks(step).empty()) { // another process has read it; the views may be told too early
+            std::this_thread::sleep_for(pause_when_read);
+            return {};
+        }
         ImportValues values{{"inputs", {dataset.directory().string()}}, {"step", {std::to_string(step)}}};
         if (!folder_.empty()) values["late-folder"] = {folder_.string()};
         const ImportListener silent{[](double, const std::string&) {}, [](const std::string&) {}};
         std::string problem = run_import(values, {}, silent, cancel).problem;
-        problem = without_folder(std::move(problem), dataset.directory().parent_path());
+        for (const std::filesystem::path& known : {folder_ / "", dataset.directory()})
+            problem = without_folder(std::move(problem), known.parent_path());
         for (const std::string& input : dataset.info().late.inputs)
             problem = without_folder(std::move(problem), std::filesystem::path(input).parent_path());
         return problem;

@@ -10,7 +10,9 @@ protocol::ColorRangeResult color_range(CallContext& context, const protocol::Col
     for (const std::string& id : params.layers)
         if (std::none_of(layers.begin(), layers.end(), [&](const auto& layer) { return layer.id == id; }))
             throw limits::NotFound("the scene has no layer " + id);
-    return {probe::visible_range(*source.geometry(), checked, params.layers, params.aspect, params.of == "contours")};
+    const auto geometry = source.geometry();
+    geometry::require_read(*geometry);
+    return {probe::visible_range(*geometry, checked, params.layers, params.aspect, params.of == "contours")};
 }
 
 } // namespace server::methods

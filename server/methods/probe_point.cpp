@@ -51,6 +51,11 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     const auto dataset = source.version().checked.dataset();
     if (dataset->steps().empty()) throw ciel::Error(dataset->info().name + " has no time step yet; append a step");
     const std::size_t step = dataset->step_at(source.version().scene().time);
+    try {
+        source.version().checked.loaded()->require_read(step);
+    } catch (const store::NotYetRead& late) { // arrays that cannot be read have no values
+        if (!late.has_failed) throw;
+    }
     context.server.services().require_room(); // for the topology
     const auto locator = source.version().checked.loaded()->locator(step);
 

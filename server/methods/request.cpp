@@ -46,16 +46,19 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-// Waits until late arrays that the method needs have been read from their source.
+// Waits until late arrays that the method needs have been read from their source, but not for long, because other slow
+// calls wait for this thread.
 json call_when_read(CallContext& context, const Method& method, const json& params) {
-    constexpr std::chrono::milliseconds pause{200};
+    constexpr double longest_wait_ms = 60'000;
+    std::chrono::milliseconds pause{200};
     while (true) {
         try {
             return method.call(context, params);
         } catch (const store::NotYetRead& late) {
-            if (late.has_failed) throw;
+            if (late.has_failed || context.milliseconds() > longest_wait_ms) throw;
         }
         std::this_thread::sleep_for(pause);
+        pause = std::min(2 * pause, std::chrono::milliseconds(2000));
         context.check_wanted();
     }
 }

@@ -6,6 +6,7 @@ namespace server::methods {
 protocol::SceneBoundsResult scene_bounds(CallContext& context, const protocol::SceneBoundsParams& params) {
     SceneSource source(context, params.session, params.scene);
     const auto geometry = source.geometry();
+    geometry::require_read(*geometry);
     const scene::CheckedScene& checked = source.version().checked;
     const bool is_drawn = params.of == "drawn";
     const auto [low, high] =

@@ -11,6 +11,7 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     SceneSource source(context, params.session, params.scene);
     const scene::CheckedScene& checked = source.version().checked;
     const auto geometry = source.geometry();
+    geometry::require_read(*geometry);
     const auto crossings = probe::crossings(*geometry, checked, size, params.pixel);
     protocol::ScenePickResult picked;
     if (const auto seen = probe::bounds_in_view(*geometry, checked, size)) {

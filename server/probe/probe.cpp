@@ -10,11 +10,19 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
+// A late array has no values yet.
+bool is_late(const store::Dataset& dataset, std::size_t step, const std::string& array) {
+    const auto& arrays = dataset.steps()[step].arrays;
+    const auto found = arrays.find(array);
+    return found != arrays.end() && found->second.late;
+}
+
 // The values at the cell's corners do not show a wrong result, because they may come from neighbor cells.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, ciel::Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
     const store::ArrayInfo& cells = *dataset.find(store::parse_scalar(dataset, of_cells).array);
+    if (is_late(dataset, step, cells.name)) return false;
     const store::ValuesToLoad values = dataset.values_to_load(cells.name, step);
     return values.file != nullptr && std::ranges::any_of(store::scalars_of(cells), [&](const store::ScalarName& name) {
                return !name.magnitude &&
@@ -25,7 +33,8 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
 // The weights are over vertices, or 1 for one cell. If `is_wrong`, the scalars get no value.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
                  const ciel::VertexWeights& weights, bool is_wrong, Probed& out) {
-    const store::ValuesToLoad values = dataset.values_to_load(array.name, step);
+    const store::ValuesToLoad values =
+        is_late(dataset, step, array.name) ? store::ValuesToLoad{} : dataset.values_to_load(array.name, step);
     std::vector<ciel::Index> items;
     for (const auto& [item, share] : weights) items.push_back(item);
     for (const std::string& scalar : store::scalar_names(array)) {

@@ -54,6 +54,7 @@ void limit(int resource, rlim_t value) {
     sigset_t none_blocked;
     sigemptyset(&none_blocked);
     ::sigprocmask(SIG_SETMASK, &none_blocked, nullptr);
+    ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC); // the sockets of a server, which Asio opens without O_CLOEXEC
     limit(RLIMIT_CORE, 0);
     if (limits.memory_bytes > 0) limit(RLIMIT_AS, limits.memory_bytes);
     ::execv(arguments[0], arguments);

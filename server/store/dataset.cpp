@@ -64,7 +64,10 @@ public:
         const std::size_t steps = now.marker.table.steps + now.marker.steps.size();
         if (now.info.id != info_.id || steps < steps_->size() || now.marker.meshes < meshes_.size())
             refuse(directory_, "was replaced by another dataset while it was open; open the dataset again");
-        if (steps == steps_->size() && late_files_.changes() == late_changes_) return nullptr;
+        const auto is_whole_now = [&](std::size_t step) { return late_chunks(step).empty(); };
+        if (steps == steps_->size() && late_files_.changes() == late_changes_ &&
+            std::ranges::none_of(steps_->known_with_late_arrays(), is_whole_now))
+            return nullptr;
         return std::make_shared<MappedDataset>(directory_, std::move(now), LackingRanges::computed, access_,
                                                late_folder_, this);
     }
@@ -191,8 +194,8 @@ public:
         check_chunk(at.mesh, array, entry->second.chunk);
         if (entry->second.late)
             refuse(directory_, "array '" + array + "' has not been read from its source yet at time " +
-                                   std::to_string(at.time) + "; read it with 'ciel import " + directory_.string() +
-                                   " --step " + std::to_string(step) + "'");
+                                   std::to_string(at.time) + "; read it with 'ciel import " +
+                                   directory_.filename().string() + " --step " + std::to_string(step) + "'");
         return array_to_load(at.mesh, array, entry->second);
     }
     std::map<std::string, std::uint64_t> late_chunks(std::size_t step) const override {
@@ -287,10 +290,19 @@ private:
         return parse_mesh_attributes(read_text(file, layout::document_bytes), file).coordinate_checksums;
     }
 
+    MarkedStep as_marked(std::size_t step) const {
+        return step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
+    }
     MarkedStep marked(std::size_t step) const {
-        MarkedStep found = step < table_->size() ? table_->step(step) : marker_.steps.at(step - table_->size());
+        MarkedStep found = as_marked(step);
         late_files_.complete(found, layouts_.at(found.mesh));
         return found;
+    }
+    // While a step is being written, all its late arrays are still late.
+    MarkedStep marked_whole(std::size_t step) const {
+        MarkedStep found = marked(step);
+        const bool is_whole = std::ranges::none_of(found.arrays, [](const auto& array) { return array.second.late; });
+        return is_whole ? found : as_marked(step);
     }
 
     std::vector<double> times() const {
@@ -304,7 +316,7 @@ private:
     }
 
     Step read_step(std::size_t index, LackingRanges lacking) const {
-        const MarkedStep from = marked(index);
+        const MarkedStep from = marked_whole(index);
         check_coordinates(index, from);
         Step step{from.time, from.mesh, from.coordinates, {}};
         for (const auto& [name, entry] : from.arrays) {

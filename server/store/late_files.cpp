@@ -43,7 +43,11 @@ std::optional<MarkedArray> LateFiles::complete(const ArrayLayout& array, MarkedA
         const fs::path facts = layout::late_facts(directory, entry.chunk);
         const bool is_written = is_there(at.chunk(entry.chunk)), has_facts = is_there(facts);
         std::optional<MarkedArray> known = entry;
-        if (has_facts) known = parse_late_facts(read_text(facts, layout::document_bytes), facts, entry.chunk);
+        try {
+            if (has_facts) known = parse_late_facts(read_text(facts, layout::document_bytes), facts, entry.chunk);
+        } catch (const ciel::Error&) { // the array is read from the source again
+            return entry;
+        }
         if (!known) return std::nullopt;
         if (!is_written) continue;
         known->late = false;
@@ -75,7 +79,8 @@ std::uint64_t LateFiles::changes() const {
 }
 
 fs::path LateFiles::writable() const {
-    const bool is_writable = ::access(dataset_.c_str(), W_OK) == 0;
+    const bool is_writable =
+        ::access(dataset_.c_str(), W_OK) == 0 && ::access((dataset_ / "meshes").c_str(), W_OK) == 0;
     if (!is_writable && elsewhere_.empty())
         refuse(dataset_, "cannot be written to, and there is no folder for values that are read later; make the "
                          "directory writable");

@@ -2,6 +2,7 @@
 
 #include "store/cell_places.hpp"
 #include "store/files/files.hpp"
+#include "store/format/attributes.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/value_ranges.hpp"
 #include "store/mesh_arrays.hpp"
@@ -68,6 +69,9 @@ void LateWriter::put(std::size_t step, const ArrayValues& array) {
     const auto late = dataset_->late_chunks(step);
     const auto entry = late.find(array.info.name);
     if (entry == late.end()) return;
+    const fs::path attributes = dataset_->directory() / layout::attributes_document;
+    if (parse_root_attributes(read_text(attributes, layout::document_bytes), attributes).id != dataset_->info().id)
+        refuse(dataset_->directory(), "was replaced by another dataset while its steps were read; try again");
     const ArrayInfo& info = *dataset_->find(array.info.name);
     const Step& at = dataset_->steps().at(step);
     const std::uint64_t wanted =
@@ -104,6 +108,10 @@ void LateWriter::end_step(std::size_t step) {
     const Step& at = dataset_->steps().at(step);
     for (const auto& [array, chunk] : dataset_->late_chunks(step))
         write_facts(array_directory(at.mesh, array), chunk, std::nullopt);
+    tell_readers();
+}
+
+void LateWriter::tell_readers() const {
     std::random_device device;
     replace_file(directory_ / layout::late_changes, bytes_of(std::to_string(device()) + std::to_string(device())));
 }

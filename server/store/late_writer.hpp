@@ -27,6 +27,7 @@ public:
     void put(std::size_t step, const ArrayValues& array);
     // Declares that the source has no other late arrays at this step, and tells readers that arrays were written.
     void end_step(std::size_t step);
+    void tell_readers() const; // that arrays were written
 
 private:
     void write(const Step& step, const ArrayInfo& array, std::uint64_t chunk, ciel::ValuesView values);

@@ -260,6 +260,12 @@ std::shared_ptr<const StoredScalar> LoadedDataset::stored_scalar(const std::stri
     return std::make_shared<const StoredScalar>(array, std::move(scalar), std::move(values));
 }
 
+void LoadedDataset::require_read(std::size_t step) const {
+    const auto of = state_->current();
+    for (const auto& [array, facts] : State::step_of(*of, step).arrays)
+        if (facts.late) state_->check_read(*of, array, step);
+}
+
 ScalarField LoadedDataset::scalar(const std::string& name, std::size_t step) {
     const auto of = state_->current();
     const Step& at = State::step_of(*of, step);

@@ -48,6 +48,8 @@ public:
     // Throws NotWritten when the array was not written at the step, NotYetRead when it is late, and Error when `name`
     // is not a scalar on points.
     [[nodiscard]] ScalarField scalar(const std::string& name, std::size_t step);
+    // Throws NotYetRead if an array of the step is late.
+    void require_read(std::size_t step) const;
     // The values are read when they are needed. Throws like scalar(), and Error when the scalar is not on `items`.
     [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step,
                                                                     Association items = Association::point);

@@ -1,5 +1,6 @@
 #include "store/rewrite.hpp"
 
+#include "store/files/files.hpp"
 #include "store/format/layout.hpp"
 #include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
@@ -129,6 +130,10 @@ std::vector<std::string> rewrite(const std::filesystem::path& from, const std::f
                                  const std::function<void(double)>& progress) {
     const auto dataset = Dataset::open(from, LackingRanges::left_out);
     const DatasetInfo& info = dataset->info();
+    for (std::size_t step = 0; step < dataset->steps().size() && !info.late.inputs.empty(); ++step)
+        if (!dataset->late_chunks(step).empty())
+            refuse(from, "has steps that have not been read from their source; read them first with `ciel import " +
+                             from.filename().string() + " --all`");
     Writer writer(to,
                   {info.source, info.length_units, info.input_vertices, info.input_edges, info.input_cells, info.notes},
                   overwrite);

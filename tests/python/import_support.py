@@ -12,8 +12,7 @@ NO_NEIGHBOUR = 4294967295
 
 
 def run_import(*arguments):
-    """Imports all steps: without --all, most steps of a long series are read from the source when they are needed."""
-    return ciel("import", "--all", *arguments, timeout=300)
+    return ciel("import", *arguments, timeout=300)
 
 
 def ciel_info(dataset, *options):

@@ -4,6 +4,7 @@ import asyncio
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import threading
@@ -48,8 +49,11 @@ def run(*arguments, cache: pathlib.Path):
     return ciel(*arguments, timeout=300, env={**os.environ, "XDG_CACHE_HOME": str(cache)})
 
 
+WHOLE = ["--allow-bad"]  # any option but --on-demand
+
+
 def imported(source, output, cache, *options):
-    done = run("import", source, "-o", output, *options, cache=cache)
+    done = run("import", source, "-o", output, *(options or ["--on-demand"]), cache=cache)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
@@ -68,7 +72,8 @@ def files_of(output) -> dict[str, bytes]:
 
 def test_the_first_and_the_last_step_are_written_and_the_others_are_late(source, tmp_path):
     said = imported(source, tmp_path / "a.ciel", tmp_path)
-    assert "4 steps are read from the source when they are needed; --all writes them now" in said
+    assert "4 steps are read from the source when they are needed" in said
+    assert re.search(r"memory \d+ MB after reading, at most \d+ MB more while writing \(\d+ bytes a cell\)", said)
     assert written(tmp_path / "a.ciel") == [0, 5]
     dataset = Dataset(tmp_path / "a.ciel")
     assert dataset.times == list(range(STEPS)) and dataset.array("f").shape[0] == STEPS
@@ -77,7 +82,7 @@ def test_the_first_and_the_last_step_are_written_and_the_others_are_late(source,
 
 
 def test_all_writes_the_same_bytes_now_or_later(source, tmp_path):
-    assert "are read from the source" not in imported(source, tmp_path / "whole.ciel", tmp_path, "--all")
+    assert "are read from the source" not in imported(source, tmp_path / "whole.ciel", tmp_path, *WHOLE)
     imported(source, tmp_path / "late.ciel", tmp_path)
     one = run("import", tmp_path / "late.ciel", "--step", "3", cache=tmp_path)
     assert one.returncode == 0, one.stderr
@@ -106,9 +111,17 @@ def test_a_step_with_another_mesh_is_refused(tmp_path):
     source = write_series(tmp_path / "source", [grid(0), with_fields(structured(5, bend=0.3)), grid(2), grid(3)])
     imported(source, tmp_path / "a.ciel", tmp_path)
     refused = run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path)
-    assert refused.returncode == 1 and "has another mesh at time 1.0" in refused.stderr and "--all --force" in refused.stderr
+    assert refused.returncode == 1 and "has another mesh at time 1.0" in refused.stderr and "--force" in refused.stderr
     assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
     assert written(tmp_path / "a.ciel") == [0, 2, 3]
+
+
+def test_a_step_that_cannot_be_read_does_not_stop_the_others(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    (source.parent / "2.vts").write_text("no data")
+    done = run("import", tmp_path / "a.ciel", "--all", cache=tmp_path)
+    assert done.returncode == 1, done.stdout
+    assert written(tmp_path / "a.ciel") == [0, 1, 3, 4, 5]
 
 
 def test_an_array_that_a_step_lacks_is_absent_there(tmp_path):
@@ -137,7 +150,12 @@ def test_a_source_that_changed_or_is_gone_is_a_sentence(source, tmp_path):
 def test_wrong_use_is_told(source, tmp_path, arguments):
     imported(source, tmp_path / "a.ciel", tmp_path)
     assert run("import", tmp_path / "a.ciel", *arguments, cache=tmp_path).returncode == 2
-    assert run("import", source, "-o", tmp_path / "b.ciel", "--step", "1", cache=tmp_path).returncode == 2
+    for wrong in (["--step", "1"], ["--all"]):
+        assert run("import", source, "-o", tmp_path / "b.ciel", *wrong, cache=tmp_path).returncode == 2
+    unknown = run("import", tmp_path / "a.ciel", "--step", "99", cache=tmp_path)
+    assert unknown.returncode == 1 and "there is no step 99" in unknown.stderr
+    rewritten = run("import", tmp_path / "a.ciel", "-o", tmp_path / "c.ciel", cache=tmp_path)
+    assert rewritten.returncode == 1 and "have not been read from their source" in rewritten.stderr
 
 
 def test_a_full_disk_leaves_the_step_late(source, tmp_path):
@@ -167,7 +185,7 @@ def test_two_that_need_the_same_step_read_it_once_each_and_agree(source, tmp_pat
 
 def test_extract_reads_the_step_that_it_needs(source, tmp_path):
     imported(source, tmp_path / "a.ciel", tmp_path)
-    imported(source, tmp_path / "b.ciel", tmp_path, "--all")
+    imported(source, tmp_path / "b.ciel", tmp_path, *WHOLE)
     for name in "ab":
         done = run("extract", tmp_path / f"{name}.ciel", "--iso", "f=4", "--time", "3", "-o", tmp_path / f"{name}.ply", cache=tmp_path)
         assert done.returncode == 0, done.stderr
@@ -190,12 +208,15 @@ def serve(dataset, tmp_path):
 
 def test_a_picture_waits_for_its_step_and_the_next_ones_are_read_ahead(source, tmp_path):
     imported(source, tmp_path / "a.ciel", tmp_path)
-    imported(source, tmp_path / "b.ciel", tmp_path, "--all")
+    imported(source, tmp_path / "b.ciel", tmp_path, *WHOLE)
     with serve(tmp_path / "a.ciel", tmp_path) as server, Server(tmp_path / "b.ciel") as whole:
         size = {"width": 200, "height": 150}
         picture = server.call("picture.render", scene=scene_at(1), **size)["data"]
         assert picture == whole.call("picture.render", scene={**scene_at(1), "dataset": "b"}, **size)["data"]
         until(lambda: written(tmp_path / "a.ciel") == [0, 1, 2, 3, 5])
+        there = [0.5, 0.5, 0.5]
+        probed = server.call("probe.point", scene=scene_at(4), position=there)
+        assert probed == whole.call("probe.point", scene={**scene_at(4), "dataset": "b"}, position=there)
         histogram = server.call("dataset.histogram", dataset="a", array="f", time=4, bins=16)
         assert histogram == whole.call("dataset.histogram", dataset="b", array="f", time=4, bins=16)
 

@@ -27,6 +27,16 @@ const Step& Steps::operator[](std::size_t step) const {
     return *known_[step];
 }
 
+std::vector<std::size_t> Steps::known_with_late_arrays() const {
+    std::vector<std::size_t> found;
+    const std::lock_guard lock(mutex_);
+    for (std::size_t step = 0; step < known_.size(); ++step)
+        if (known_[step] &&
+            std::ranges::any_of(known_[step]->arrays, [](const auto& array) { return array.second.late; }))
+            found.push_back(step);
+    return found;
+}
+
 const Step& Steps::at(std::size_t step) const {
     if (step >= size())
         throw ciel::Error("the dataset has " + std::to_string(size()) + " steps, numbered from 0; there is no step " +

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] std::span<const double> times() const { return times_; } // reads no step
     [[nodiscard]] const Step& operator[](std::size_t step) const;
     [[nodiscard]] const Step& at(std::size_t step) const; // throws Error if there is no such step
+    // Returns the steps that have been read and had late arrays then.
+    [[nodiscard]] std::vector<std::size_t> known_with_late_arrays() const;
     [[nodiscard]] const Step& front() const { return (*this)[0]; }
     [[nodiscard]] const Step& back() const { return (*this)[size() - 1]; }
 
