@@ -1,6 +1,7 @@
 #include "engine/view.hpp"
 
 #include "engine/frame_loop.hpp"
+#include "engine/schedule/run_job.hpp"
 #include "frames/picture.hpp"
 #include "limits/errors.hpp"
 #include "logging/log.hpp"
@@ -230,26 +231,25 @@ void View::give_way() {
     finish();
 }
 
-// The view's state comes first, so that the view goes on if no memory is left for the texts.
+// The view goes on even if no memory is left for the texts.
 void View::fail(const FrameRequest& request, const std::string& sentence) {
     services_.metrics.count_failed_frame();
-    {
-        const std::scoped_lock lock(mutex_);
-        still_wanted_ = nullptr;
-        content_.clear();
-        finish();
-        if (!closed_) {
-            const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
-            connection_->send_text(sessions::notification_text(note));
-        }
-    }
-    logging::log_event(logging::LogLevel::warning, "frame failed",
-                       {{"session", logging::short_id(session_->id())},
-                        {"view", id_},
-                        {"reason", sentence},
-                        {"user", connection_->user},
-                        {"remote", connection_->remote},
-                        {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
+    run_job([&] {
+        logging::log_event(logging::LogLevel::warning, "frame failed",
+                           {{"session", logging::short_id(session_->id())},
+                            {"view", id_},
+                            {"reason", sentence},
+                            {"user", connection_->user},
+                            {"remote", connection_->remote},
+                            {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
+    });
+    const std::scoped_lock lock(mutex_);
+    still_wanted_ = nullptr;
+    content_.clear();
+    finish();
+    if (closed_) return;
+    const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
+    connection_->send_text(sessions::notification_text(note));
 }
 
 void View::finish() {

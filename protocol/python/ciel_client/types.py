@@ -442,6 +442,7 @@ class AppendRefusedParams(TypedDict):
 
     upload: str  # Id of the upload, as append.begin returned it.
     reason: str  # Sentence that states the reason.
+    request: str  # Id of the refusal in the server's log.
 
 
 class ServerDrainingParams(TypedDict):
