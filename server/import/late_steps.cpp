@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 
 namespace server::importer {
@@ -99,8 +100,9 @@ private:
         match_mesh(input_grids, step);
         tell(0.7, "making arrays", step);
         const auto topology = [this]() -> const ciel::Topology& { return topology_of_mesh(); };
+        const std::vector<std::string> lost_before = arrays_->lost();
         const auto& arrays = arrays_->make(of_source, mesh_, input_grids, topology, point_maker_);
-        check_whole(step);
+        check_whole(step, lost_before);
         facts_.check_unchanged(); // otherwise the arrays may be of two different runs
         tell(0.9, "writing", step);
         for (const store::ArrayValues& array : arrays) {
@@ -117,9 +119,10 @@ private:
     }
 
     // A step that was written without a part of the source would never be read again.
-    void check_whole(std::size_t step) const {
+    // `lost_before`: arrays that were lost at the steps before, sorted.
+    void check_whole(std::size_t step, const std::vector<std::string>& lost_before) const {
         std::vector<std::string> lost = source_->lost();
-        for (const std::string& sentence : arrays_->lost()) lost.push_back(sentence);
+        std::ranges::set_difference(arrays_->lost(), lost_before, std::back_inserter(lost));
         if (lost.empty() || allow_bad_) return;
         throw ciel::Error("cannot be read whole " + at_time(*dataset_, step) + ": " + lost.front() +
                           " --allow-bad accepts the loss");

@@ -1,4 +1,4 @@
-// Removes paths from sentences for clients, who must not learn paths of the server.
+// Removes paths from sentences. Clients must not learn paths of the server.
 #pragma once
 
 #include <filesystem>

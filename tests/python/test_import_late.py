@@ -124,6 +124,16 @@ def test_a_step_that_cannot_be_read_does_not_stop_the_others(source, tmp_path):
     assert written(tmp_path / "a.ciel") == [0, 1, 3, 4, 5]
 
 
+def test_a_loss_at_one_step_is_not_taken_for_one_of_the_next(tmp_path):
+    other = structured(5)
+    add_array(other.GetPointData(), "f", np.zeros((125, 3)))
+    source = write_series(tmp_path / "source", [grid(0), other, grid(2), grid(3)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    done = run("import", tmp_path / "a.ciel", "--all", cache=tmp_path)
+    assert done.returncode == 1 and "cannot be read whole at time 1.0" in done.stderr and "2.0" not in done.stderr
+    assert written(tmp_path / "a.ciel") == [0, 2, 3]
+
+
 def test_an_array_that_a_step_lacks_is_absent_there(tmp_path):
     lacking = structured(5)
     add_array(lacking.GetPointData(), "f", np.arange(125))
