@@ -121,7 +121,7 @@ void add_failed(engine::Server& server, const std::vector<importing::Servable>& 
 }
 
 // Tells the server that late steps have been read, from any thread, while the server exists.
-class LateSteps {
+class ServerToTell {
 public:
     void tell(const fs::path& dataset) {
         const std::scoped_lock lock(mutex_);
@@ -169,7 +169,7 @@ int serve(ServeOptions& options) {
     server_options.limits = options.limits;
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
-    LateSteps late_steps;
+    ServerToTell late_steps;
     const fs::path late_folder = late_folder_in(options.import_folder);
     importing::StepReader step_reader(late_folder, [&](const fs::path& dataset) { late_steps.tell(dataset); });
     server_options.late = {
