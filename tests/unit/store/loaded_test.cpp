@@ -12,11 +12,9 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <condition_variable>
 #include <future>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <thread>
 
@@ -434,98 +432,6 @@ TEST_F(GiveBackTest, NeverTheLastOneUsedForItsSizeAlone) {
     use(catalog, "b");
     EXPECT_EQ(catalog.give_back({}), 1U);
     EXPECT_EQ(catalog.loaded().size(), 1U);
-}
-
-TEST_F(CatalogTest, WatchTellsOfStepsAndOfAReplacement) {
-    Catalog catalog({directory});
-    const auto loaded = catalog.open("box");
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::vector<std::string> heard;
-    const auto handle = catalog.watch([&](const std::string& name) {
-        const std::lock_guard lock(mutex);
-        heard.push_back(name);
-        changed.notify_all();
-    });
-    const auto wait_for = [&](std::size_t count) {
-        std::unique_lock lock(mutex);
-        return changed.wait_for(lock, std::chrono::seconds(60), [&] { return heard.size() >= count; });
-    };
-    const auto p = test::values_of(27, 5);
-    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
-    ASSERT_TRUE(wait_for(1));
-    EXPECT_EQ(loaded->dataset()->steps().size(), 4U);
-    {
-        Writer writer(directory, {}, true);
-        writer.add_mesh(test::box(3, 1, 1), test::identity(16), test::identity(3), {});
-        writer.finish();
-    }
-    ASSERT_TRUE(wait_for(2));
-    EXPECT_EQ(loaded->dataset()->info().meshes[0].cells, 8U) << "who has the old one open keeps it";
-    EXPECT_EQ(catalog.open("box")->dataset()->info().meshes[0].cells, 3U);
-    const std::lock_guard lock(mutex);
-    EXPECT_THAT(heard, ElementsAre("box", "box"));
-}
-
-// Calls of on_change that other threads wait for.
-class Heard {
-public:
-    void add(const std::string& name) {
-        const std::lock_guard lock(mutex_);
-        names_.push_back(name);
-        changed_.notify_all();
-    }
-    bool wait_for(std::size_t count) {
-        std::unique_lock lock(mutex_);
-        return changed_.wait_for(lock, std::chrono::seconds(60), [&] { return names_.size() >= count; });
-    }
-
-private:
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::vector<std::string> names_;
-};
-
-TEST_F(CatalogTest, WatchGoesOnAndTellsAgainAfterAnException) {
-    Catalog catalog({directory});
-    (void)catalog.open("box");
-    Heard heard;
-    std::atomic<int> calls{0};
-    const auto handle = catalog.watch([&](const std::string& name) {
-        heard.add(name);
-        if (++calls == 1) throw std::bad_alloc();
-    });
-    const auto p = test::values_of(27, 5);
-    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
-    EXPECT_TRUE(heard.wait_for(2)) << "the call that failed is made again";
-}
-
-TEST_F(CatalogTest, WatchSurvivesAChangedFileWithoutAChecksum) {
-    const fs::path attributes = directory / "meshes/0/.zattrs", types = directory / "meshes/0/cell_types/0";
-    nlohmann::json document = nlohmann::json::parse(test::read_file(attributes));
-    document["ciel"]["checksums"].erase("cell_types");
-    test::overwrite_file(attributes, document.dump());
-    Catalog catalog({directory});
-    (void)catalog.open("box")->dataset()->mesh_arrays().points(0, 0); // maps the file
-    Heard heard;
-    const auto handle = catalog.watch([&](const std::string& name) { heard.add(name); });
-    fs::last_write_time(types, fs::last_write_time(types) + std::chrono::seconds(5));
-    EXPECT_TRUE(heard.wait_for(1));
-}
-
-TEST_F(CatalogTest, WatchSurvivesAFolderThatCannotBeSearched) {
-    const fs::path cells = directory / "meshes/0/blocks/cells";
-    Catalog catalog({directory});
-    const auto loaded = catalog.open("box");
-    (void)loaded->topology(0);
-    const auto p = test::values_of(27, 5);
-    Writer::append(directory).add_step(2, 0, 0, std::vector<ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p}});
-    fs::remove_all(cells);
-    fs::create_symlink(cells, cells); // each access fails with ELOOP, also for root
-    Heard heard;
-    const auto handle = catalog.watch([&](const std::string& name) { heard.add(name); });
-    EXPECT_TRUE(heard.wait_for(1));
-    EXPECT_EQ(loaded->dataset()->steps().size(), 4U);
 }
 
 } // namespace
