@@ -117,7 +117,8 @@ private:
     // Otherwise returns false; the last step is then read again.
     bool leave_steps_late() {
         const std::vector<double>& times = source_.times();
-        if (!options_.on_demand || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()))
+        if (!options_.on_demand || times.size() < 3 || !writer_ ||
+            !(selection_.complete() || options_.arrays.empty()) || !facts_.can_be_stored())
             return false;
         step_ = times.size() - 1;
         InputGrids input_grids;
@@ -130,19 +131,27 @@ private:
         if (print.cells != print_.cells || print.positions != print_.positions) return false;
         update_step_mesh(mesh_, input_grids, false);
         if (!difference_across(mesh_.seams, mesh_.members).empty()) return false;
-        if (!still_the_same(mesh_.joined_pieces, mesh_.members) || !facts_.is_unchanged()) return false;
+        if (!still_the_same(mesh_.joined_pieces, mesh_.members) || !facts_.is_current(source_)) return false;
+        SourceFacts facts = facts_;
+        facts.set_mesh(mesh_, print_);
+        facts.add_written_step();
         for (const std::string& sentence : source_.lost()) lose(sentence);
         const auto& arrays = make_arrays(input_grids);
         std::vector<store::ArrayInfo> infos;
         for (const auto& [name, info] : known_arrays_) infos.push_back(info);
         for (step_ = 1; step_ + 1 < times.size(); ++step_) {
+            tell(0, "listing files");
             if (!is_new_time(times[step_])) continue;
             writer_->add_late_step(times[step_], mesh_index_, coordinates_index_, infos);
+            facts.add_late_step(source_, step_);
             ++result_.late_steps;
         }
         tell(0.9, "writing");
-        if (is_new_time(times[step_])) writer_->add_step(times[step_], mesh_index_, coordinates_index_, arrays);
-        if (result_.late_steps > 0) writer_->set_late(facts_.stored());
+        if (is_new_time(times[step_])) {
+            writer_->add_step(times[step_], mesh_index_, coordinates_index_, arrays);
+            facts.add_written_step();
+        }
+        if (result_.late_steps > 0) writer_->set_late(facts.stored());
         return true;
     }
 

@@ -2,6 +2,7 @@
 
 #include "import/mesh/fingerprint.hpp"
 #include "import/mesh/pieces.hpp"
+#include "import/mesh/stored_mesh.hpp"
 #include "import/progress.hpp"
 #include "import/readers/open_source.hpp"
 #include "import/source_facts.hpp"
@@ -53,7 +54,9 @@ public:
             try {
                 read(steps[i]);
             } catch (const ciel::Error& error) {
-                problems.emplace_back(error.what());
+                problems.push_back(naming_source(error.what()));
+            } catch (const std::filesystem::filesystem_error& error) {
+                problems.push_back(naming_source("cannot be read: " + error.code().message()));
             }
         }
         writer_.tell_readers();
@@ -75,7 +78,7 @@ private:
 
     void open() {
         if (source_) return;
-        facts_.check_unchanged();
+        facts_.check_inputs();
         source_ = open_source(facts_.inputs(), facts_.source_options());
         arrays_.emplace(selection_, *source_, FieldComponents(components_of(*dataset_)));
     }
@@ -92,6 +95,8 @@ private:
         tell(0, "opening", step);
         open();
         const std::size_t of_source = step_of_source(step);
+        const std::string state = facts_.state_of(*source_, of_source), known = facts_.state_at_import(step);
+        if (!known.empty() && state != known) refuse_change(step);
         const auto reading = [&](double share) { tell(0.5 * share, "reading", step); };
         InputGrids input_grids = collect_input_grids(source_->read(of_source, reading));
         source_->add_known(input_grids, {});
@@ -103,7 +108,7 @@ private:
         const std::vector<std::string> lost_before = arrays_->lost();
         const auto& arrays = arrays_->make(of_source, mesh_, input_grids, topology, point_maker_);
         check_whole(step, lost_before);
-        facts_.check_unchanged(); // otherwise the arrays may be of two different runs
+        if (facts_.state_of(*source_, of_source) != state) refuse_change(step); // the arrays may be of two runs
         tell(0.9, "writing", step);
         for (const store::ArrayValues& array : arrays) {
             const store::ArrayValues named{store::with_valid_text(array.info), array.values};
@@ -138,25 +143,45 @@ private:
                           " than at its first step; import it again with --force");
     }
 
+    [[noreturn]] void refuse_change(std::size_t step) const {
+        throw ciel::Error("has changed " + at_time(*dataset_, step) +
+                          " since it was imported; import it again with --force");
+    }
+
+    // Some sentences do not say which source they mean.
+    [[nodiscard]] std::string naming_source(const std::string& sentence) const {
+        if (facts_.inputs().empty()) return sentence;
+        const std::string& source = facts_.inputs().front();
+        return sentence.find(source) != std::string::npos ? sentence : source + ": " + sentence;
+    }
+
+    // Sets mesh_ to the mesh of the step, with the ids of the dataset.
     void match_mesh(const InputGrids& input_grids, std::size_t step) {
         const Fingerprint print = fingerprint(input_grids);
-        if (mesh_.point_count > 0) {
-            if (print.cells != print_.cells || print.positions != print_.positions) refuse_mesh(step);
+        if (mesh_.point_count > 0 && print.text() == print_.text()) {
             update_step_mesh(mesh_, input_grids, false);
             if (!difference_across(mesh_.seams, mesh_.members).empty() ||
                 !still_the_same(mesh_.joined_pieces, mesh_.members))
                 refuse_mesh(step);
             return;
         }
-        mesh_ = build_step_mesh(input_grids, facts_.weld(), difference_across);
-        mesh_.cells.reset();
-        const ciel::FaceMeshView stored = dataset_->mesh_arrays().points(0, 0);
-        if (!std::ranges::equal(mesh_.point_of_vertex, dataset_->original_vertex(0)) ||
-            !std::ranges::equal(mesh_.cell_of_cell, dataset_->original_cell(0)) ||
-            !std::ranges::equal(mesh_.positions.bytes(), stored.positions.bytes()))
-            refuse_mesh(step);
-        mesh_.positions = store::Values(stored.positions, stored.keep_alive);
+        auto mesh = facts_.has_stored_mesh(print) ? stored_mesh(*dataset_, input_grids) : std::nullopt;
+        if (!mesh) mesh = matched_mesh(input_grids, step);
+        mesh_ = std::move(*mesh);
         print_ = print;
+        point_maker_.reset();
+    }
+
+    [[nodiscard]] StepMesh matched_mesh(const InputGrids& input_grids, std::size_t step) const {
+        StepMesh mesh = build_step_mesh(input_grids, facts_.weld(), difference_across);
+        mesh.cells.reset();
+        const ciel::FaceMeshView stored = dataset_->mesh_arrays().points(0, 0);
+        if (!std::ranges::equal(mesh.point_of_vertex, dataset_->original_vertex(0)) ||
+            !std::ranges::equal(mesh.cell_of_cell, dataset_->original_cell(0)) ||
+            !std::ranges::equal(mesh.positions.bytes(), stored.positions.bytes()))
+            refuse_mesh(step);
+        mesh.positions = store::Values(stored.positions, stored.keep_alive);
+        return mesh;
     }
 
     std::shared_ptr<store::Dataset> dataset_;

@@ -59,6 +59,14 @@ std::size_t step_number(const std::string& text) {
     return number;
 }
 
+// The options of the import count, because the arrays of all steps must be made in one way.
+void refuse_with_late_steps(const server::importing::ImportValues& values) {
+    for (const char* option : {"output", "on-demand", "list", "array", "weld", "no-weld", "force", "plot3d"})
+        if (!values.at(option).empty())
+            throw CLI::ValidationError(
+                std::string("--all and --step read steps in the way of the import; leave out --") + option);
+}
+
 Options options_from(server::importing::ImportValues& values) {
     const auto flag = [&](const char* name) { return !values[name].empty(); };
     Options options;
@@ -79,8 +87,7 @@ Options options_from(server::importing::ImportValues& values) {
     if (!values["plot3d"].empty()) options.source.plot3d = values["plot3d"].back();
     if (flag("weld") && flag("no-weld"))
         throw CLI::ValidationError("--weld and --no-weld exclude each other; give one of them");
-    if (reads_late_steps && !options.output.empty())
-        throw CLI::ValidationError("--all and --step write into the dataset; leave out -o");
+    if (reads_late_steps) refuse_with_late_steps(values);
     if (!options.list && !reads_late_steps && options.output.empty()) throw CLI::RequiredError("-o NAME.ciel");
     if (!options.list && !reads_late_steps && !options.output.ends_with(".ciel"))
         throw CLI::ValidationError("-o " + options.output + ": the name of a dataset must end in .ciel");

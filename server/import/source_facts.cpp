@@ -1,11 +1,14 @@
 #include "import/source_facts.hpp"
 
 #include "importing/freshness.hpp"
+#include "store/format/checksum.hpp"
 #include "store/format/json_reader.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <span>
+#include <sys/stat.h>
 
 namespace server::importer {
 namespace {
@@ -19,11 +22,48 @@ std::int64_t last_change(const std::vector<std::string>& inputs) {
     return std::max<std::int64_t>(std::chrono::duration_cast<std::chrono::nanoseconds>(since_1970).count(), 0);
 }
 
+// Adds the names, sizes and times of a file, or of the files in a directory. Returns false if the path does not exist.
+bool add_files(const fs::path& path, std::vector<std::string>& files) {
+    struct stat facts {};
+    if (::stat(path.c_str(), &facts) != 0) return false;
+    if (S_ISREG(facts.st_mode))
+        files.push_back(fs::absolute(path).lexically_normal().string() + '\0' + std::to_string(facts.st_size) + ' ' +
+                        std::to_string(facts.st_mtim.tv_sec) + ' ' + std::to_string(facts.st_mtim.tv_nsec) + '\0');
+    if (!S_ISDIR(facts.st_mode)) return true;
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(path, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        if (!fs::is_directory(entry->path(), error)) add_files(entry->path(), files);
+    return !error;
+}
+
+// Returns an empty text if the format does not tell the files of the step, or if one of them is missing.
+std::string state_of_files(const Source& source, std::size_t step) {
+    std::vector<std::string> files;
+    try {
+        for (const fs::path& path : source.files_of(step))
+            if (!add_files(path, files)) return {};
+    } catch (const ciel::Error&) { // a file is missing or has an unknown format
+        return {};
+    } catch (const fs::filesystem_error&) { // a directory cannot be searched
+        return {};
+    }
+    if (files.empty()) return {};
+    std::ranges::sort(files);
+    std::string all;
+    for (const std::string& file : files) all += file;
+    return store::checksum(std::as_bytes(std::span(all)));
+}
+
+fs::path absolute_without_slash(const std::string& input) {
+    const fs::path path = fs::absolute(input).lexically_normal();
+    return path.has_filename() ? path : path.parent_path();
+}
+
 } // namespace
 
 SourceFacts::SourceFacts(const Options& options) {
-    for (const std::string& input : options.inputs)
-        source_.inputs.push_back(fs::absolute(input).lexically_normal().string());
+    for (const std::string& input : options.inputs) source_.inputs.push_back(absolute_without_slash(input).string());
     if (!options.arrays.empty()) source_.options["array"] = options.arrays;
     if (!options.source.plot3d.empty()) source_.options["plot3d"] = {options.source.plot3d};
     if (options.weld == Weld::all) source_.options["weld"] = {"yes"};
@@ -46,12 +86,24 @@ SourceOptions SourceFacts::source_options() const {
     return {found == source_.options.end() ? std::string() : found->second.at(0)};
 }
 
-bool SourceFacts::is_unchanged() const {
-    const auto is_text = [](const std::string& input) { return store::valid_utf8(input) == input; };
-    return std::ranges::all_of(source_.inputs, is_text) && last_change(source_.inputs) == source_.changed;
+bool SourceFacts::has_files() const {
+    return std::ranges::any_of(source_.files, [](const std::string& of_step) { return !of_step.empty(); });
 }
 
-void SourceFacts::check_unchanged() const {
+void SourceFacts::add_late_step(const Source& source, std::size_t step_of_source) {
+    source_.files.push_back(state_of_files(source, step_of_source));
+}
+
+bool SourceFacts::can_be_stored() const {
+    return std::ranges::all_of(source_.inputs,
+                               [](const std::string& input) { return store::valid_utf8(input) == input; });
+}
+
+bool SourceFacts::is_current(const Source& source) const {
+    return !state_of_files(source, 0).empty() || last_change(source_.inputs) == source_.changed;
+}
+
+void SourceFacts::check_inputs() const {
     if (source_.inputs.empty()) throw ciel::Error("the dataset does not name the source of its missing steps");
     for (const std::string& input : source_.inputs) {
         std::error_code error;
@@ -59,9 +111,15 @@ void SourceFacts::check_unchanged() const {
             throw ciel::Error(input +
                               ": is not there any more, and the dataset has only some of its steps; put it back");
     }
-    if (last_change(source_.inputs) != source_.changed)
-        throw ciel::Error(source_.inputs.front() +
-                          ": has changed since it was imported; import it again with `ciel import --force`");
+}
+
+std::string SourceFacts::state_of(const Source& source, std::size_t step_of_source) const {
+    return has_files() ? state_of_files(source, step_of_source) : std::to_string(last_change(source_.inputs));
+}
+
+std::string SourceFacts::state_at_import(std::size_t step_of_dataset) const {
+    if (!has_files()) return std::to_string(source_.changed);
+    return step_of_dataset < source_.files.size() ? source_.files[step_of_dataset] : std::string();
 }
 
 } // namespace server::importer

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "import/convert.hpp"
+#include "import/mesh/fingerprint.hpp"
+#include "import/mesh/step_mesh.hpp"
 #include "store/format/dataset_info.hpp"
 
 namespace server::importer {
@@ -17,12 +19,30 @@ public:
     [[nodiscard]] std::vector<std::string> arrays() const;
     [[nodiscard]] Weld weld() const;
     [[nodiscard]] SourceOptions source_options() const;
-    // Throws Error if an input is missing or has changed since the import (importing/freshness.hpp).
-    void check_unchanged() const;
-    // Returns false also if a path cannot be stored, because it is not UTF-8.
-    [[nodiscard]] bool is_unchanged() const;
+    // Throws Error if an input is missing.
+    void check_inputs() const;
+    // Returns a text that changes with the names, sizes and times of the files of a step. If the format does not tell
+    // the files of a step, it changes with the inputs (importing/freshness.hpp).
+    [[nodiscard]] std::string state_of(const Source& source, std::size_t step_of_source) const;
+    // Returns what state_of() returned at the import; empty if files of the step were missing then.
+    [[nodiscard]] std::string state_at_import(std::size_t step_of_dataset) const;
+    // Returns whether the mesh of the step is that of the dataset, so that stored_mesh() may take it from there.
+    [[nodiscard]] bool has_stored_mesh(const Fingerprint& print) const { return source_.mesh == print.text(); }
+
+    void set_mesh(const StepMesh& mesh, const Fingerprint& print) {
+        if (mesh.may_be_stored_mesh) source_.mesh = print.text();
+    }
+    // Call one of these for each step of the dataset, in their order.
+    void add_written_step() { source_.files.emplace_back(); }
+    void add_late_step(const Source& source, std::size_t step_of_source);
+    // Returns false if a path cannot be stored, because it is not UTF-8.
+    [[nodiscard]] bool can_be_stored() const;
+    // Returns false if the format does not tell the files of a step and an input has changed since the import began.
+    [[nodiscard]] bool is_current(const Source& source) const;
 
 private:
+    [[nodiscard]] bool has_files() const; // of any step
+
     store::LateSource source_;
 };
 

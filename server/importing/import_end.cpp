@@ -9,8 +9,6 @@
 namespace server::importing {
 namespace {
 
-constexpr const char* nothing_written = "; nothing was written";
-
 std::string number(double value) {
     std::ostringstream text;
     text.precision(3);
@@ -45,44 +43,49 @@ bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
                        [&](const char* word) { return end.errors.find(word) != std::string::npos; });
 }
 
-std::string describe_memory(const std::string& input, const ImportLimits& limits) {
+std::string describe_memory(const std::string& input, const ImportLimits& limits, const std::string& outcome) {
     if (limits.memory_gigabytes <= 0)
         return input +
                ": the import needs more memory than the machine has, or the file is damaged and declares more data "
                "than it holds" +
-               nothing_written;
+               outcome;
     return input + ": the memory limit of " + number(limits.memory_gigabytes) +
            " GB was reached; raise the limit with --memory-limit (0: none), unless the file is damaged and declares "
            "more data than it holds" +
-           nothing_written;
+           outcome;
 }
 
-std::string describe_signal(int signal, const std::string& input, const ImportLimits& limits) {
+std::string describe_signal(int signal, const std::string& input, const ImportLimits& limits,
+                            const std::string& outcome) {
     if (signal == SIGKILL)
         return input +
                ": the import was killed from outside, most likely because the machine ran out of memory, and the file "
                "may be sound. Free some memory, or set a lower --memory-limit to get an error instead" +
-               nothing_written;
+               outcome;
     std::string sentence = input + ": the reader crashed (" + ::strsignal(signal) + "): the file is damaged";
     if (limits.memory_gigabytes > 0)
         sentence += ", or the import needs more than the " + number(limits.memory_gigabytes) + " GB of --memory-limit";
-    return sentence + nothing_written;
+    return sentence + outcome;
 }
 
 } // namespace
 
-std::string describe_end(const processes::ChildEnd& end, const std::string& input, const ImportLimits& limits) {
-    if (end.cancelled) return "the import was cancelled; nothing was written";
+std::string describe_end(const processes::ChildEnd& end, const ImportValues& values, const ImportLimits& limits) {
+    const auto is_given = [&](const char* option) { return values.contains(option) && !values.at(option).empty(); };
+    const bool reads_late_steps = is_given("all") || is_given("step");
+    const std::string outcome = reads_late_steps ? "; steps that were read before are kept" : "; nothing was written";
+    const std::string input = (reads_late_steps ? "the source of " : "") + values.at("inputs").at(0);
+    if (end.cancelled) return "the import was cancelled" + outcome;
     if (end.timed_out)
         return input + ": the import took longer than " + number(limits.seconds) +
-               " s and was stopped; raise --time-limit (0: none)" + nothing_written;
+               " s and was stopped; raise --time-limit (0: none)" + outcome;
     if (end.stalled)
         return input + ": the import made no progress for " + number(limits.stalled_seconds) +
                " s and was stopped: the file is damaged, or the import needs a longer --stall-limit (0: none)" +
-               nothing_written;
+               outcome;
     const Words last = last_words(end.errors);
-    if (ran_out_of_memory(end, last)) return describe_memory(input, limits);
-    if (end.signal != 0) return describe_signal(end.signal, input, limits);
+    if (ran_out_of_memory(end, last)) return describe_memory(input, limits, outcome);
+    if (end.signal != 0) return describe_signal(end.signal, input, limits, outcome);
     if (!last.own.empty()) return last.own;
     if (!last.other.empty()) return input + ": the reader failed: " + last.other;
     return input + ": ciel-import ended with exit code " + std::to_string(end.exit_code) + " and printed no reason";

@@ -6,8 +6,8 @@
 
 namespace server::importing {
 
-// `end`: the end of a ciel-import without success. `input`: the path of the first input, which the sentence names.
-[[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const std::string& input,
+// `end`: the end of a ciel-import without success. `values`: its options; the sentence names the first input.
+[[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const ImportValues& values,
                                        const ImportLimits& limits);
 
 } // namespace server::importing

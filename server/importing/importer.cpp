@@ -69,11 +69,10 @@ double default_memory_gigabytes() { return default_share * static_cast<double>(l
 
 ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, const ImportListener& listener,
                      const std::atomic<bool>& cancel) {
-    const std::string& input = values.at("inputs").at(0);
     if (cancel) { // cancelled before the import starts
         processes::ChildEnd end;
         end.cancelled = true;
-        return {1, describe_end(end, input, limits)};
+        return {1, describe_end(end, values, limits)};
     }
     const auto memory = static_cast<std::uint64_t>(limits.memory_gigabytes * gigabyte);
     const processes::ChildEnd end = processes::run_child(
@@ -83,7 +82,7 @@ ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, con
     if (const auto output = values.find("output"); output != values.end() && !output->second.empty())
         store::remove_left_behind(output->second.back());
     const bool known = end.exit_code >= 1 && end.exit_code <= 3;
-    return {known ? end.exit_code : 1, describe_end(end, input, limits)};
+    return {known ? end.exit_code : 1, describe_end(end, values, limits)};
 }
 
 } // namespace server::importing

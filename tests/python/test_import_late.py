@@ -14,9 +14,10 @@ import pytest
 import requests
 import vtk
 from import_support import Dataset
+from openfoam_files import N, write_case, write_decomposed
 from program import ciel
 from serve_process import PATIENCE, Server, client, until
-from vtk_files import add_array, structured, with_fields, write
+from vtk_files import CUBE, add_array, ring, structured, unstructured, with_fields, write
 
 STEPS = 6
 
@@ -112,13 +113,13 @@ def test_a_step_with_another_mesh_is_refused(tmp_path):
     imported(source, tmp_path / "a.ciel", tmp_path)
     refused = run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path)
     assert refused.returncode == 1 and "has another mesh at time 1.0" in refused.stderr and "--force" in refused.stderr
-    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+    assert run("import", tmp_path / "a.ciel", "--all", cache=tmp_path).returncode == 1
     assert written(tmp_path / "a.ciel") == [0, 2, 3]
 
 
 def test_a_step_that_cannot_be_read_does_not_stop_the_others(source, tmp_path):
-    imported(source, tmp_path / "a.ciel", tmp_path)
     (source.parent / "2.vts").write_text("no data")
+    imported(source, tmp_path / "a.ciel", tmp_path)
     done = run("import", tmp_path / "a.ciel", "--all", cache=tmp_path)
     assert done.returncode == 1, done.stdout
     assert written(tmp_path / "a.ciel") == [0, 1, 3, 4, 5]
@@ -147,16 +148,159 @@ def test_an_array_that_a_step_lacks_is_absent_there(tmp_path):
 
 def test_a_source_that_changed_or_is_gone_is_a_sentence(source, tmp_path):
     imported(source, tmp_path / "a.ciel", tmp_path)
-    os.utime(source, (source.stat().st_mtime + 5,) * 2)
-    changed = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
-    assert changed.returncode == 1 and "has changed since it was imported" in changed.stderr
+    changed_file = source.parent / "2.vts"
+    os.utime(changed_file, (changed_file.stat().st_mtime + 5,) * 2)
+    changed = run("import", tmp_path / "a.ciel", "--all", cache=tmp_path)
+    assert changed.returncode == 1 and "has changed at time 2.0 since it was imported" in changed.stderr
+    assert written(tmp_path / "a.ciel") == [0, 1, 3, 4, 5]
     source.unlink()
     gone = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
     assert gone.returncode == 1 and "is not there any more" in gone.stderr
-    assert written(tmp_path / "a.ciel") == [0, 5]
+    assert written(tmp_path / "a.ciel") == [0, 1, 3, 4, 5]
 
 
-@pytest.mark.parametrize("arguments", [["--step", "x"], ["--step", "-1"], ["--step", "1", "-o", "b.ciel"]])
+def test_another_file_for_the_same_time_is_a_change(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    shutil.copy2(source.parent / "3.vts", source.parent / "other.vts")
+    write_pvd(source, ["0.vts", "1.vts", "2.vts", "other.vts", "4.vts", "5.vts"])
+    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+    changed = run("import", tmp_path / "a.ciel", "--step", "3", cache=tmp_path)
+    assert changed.returncode == 1 and "since it was imported" in changed.stderr
+
+
+def test_a_series_that_has_grown_is_read_on(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    write(vtk.vtkXMLStructuredGridWriter(), source.parent / f"{STEPS}.vts", grid(STEPS))
+    write_pvd(source, [f"{step}.vts" for step in range(STEPS + 1)])
+    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+    assert written(tmp_path / "a.ciel") == [0, 2, 5]
+
+
+def test_an_openfoam_case_that_has_grown_is_read_on(tmp_path):
+    case = write_foam_series(tmp_path / "case", is_decomposed=False)
+    imported(case, tmp_path / "a.ciel", tmp_path)
+    shutil.copytree(case / "1", case / "5")
+    assert run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path).returncode == 0
+    os.utime(case / "3/p", (0, 0))
+    changed = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
+    assert changed.returncode == 1 and "since it was imported" in changed.stderr
+
+
+def write_foam_series(case: pathlib.Path, is_decomposed: bool) -> pathlib.Path:
+    if is_decomposed:
+        write_decomposed(case, [cell % N // 2 for cell in range(N**3)], {})
+    else:
+        write_case(case)
+    for root in [case / f"processor{rank}" for rank in range(2)] if is_decomposed else [case]:
+        for written, time in ("13", "24"):  # write_case and write_decomposed write the times 1 and 2
+            shutil.copytree(root / written, root / time)
+    return case
+
+
+@pytest.mark.parametrize("is_decomposed", [False, True])
+def test_values_in_cells_and_on_patches_are_the_same_now_or_later(tmp_path, is_decomposed):
+    """The mesh of a whole case is known again; that of a decomposed case, whose pieces are welded, is matched again."""
+    case = write_foam_series(tmp_path / "case", is_decomposed)
+    imported(case, tmp_path / "whole.ciel", tmp_path, *WHOLE)
+    imported(case, tmp_path / "late.ciel", tmp_path)
+    assert (Dataset(tmp_path / "late.ciel").facts["late"]["mesh"] == "") == is_decomposed
+    done = run("import", tmp_path / "late.ciel", "--all", cache=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path / "late.ciel") == files_of(tmp_path / "whole.ciel")
+    assert any("patch" in name for name in files_of(tmp_path / "late.ciel"))
+
+
+def two_blocks(step: int):
+    """Two hexahedra beside each other in two blocks, and a surface that is matched by the places of its corners."""
+    blocks = vtk.vtkMultiBlockDataSet()
+    for number, offset in enumerate((0, 1)):
+        blocks.SetBlock(number, with_fields(unstructured([(vtk.VTK_HEXAHEDRON, list(range(8)))],
+                                                         [(x + offset, y, z) for x, y, z in CUBE]), shift=float(step)))
+    surface = unstructured([(vtk.VTK_QUAD, [0, 3, 2, 1])], CUBE[:4])
+    add_array(surface.GetCellData(), "c", [100.0 + step])
+    blocks.SetBlock(2, surface)
+    return blocks
+
+
+def with_bad_cells(step: int):
+    """Three hexahedra in a row; the second one is a ghost, and a tetrahedron without volume and an unused point follow."""
+    points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in range(4)] + [(9, 9, 9)]
+    row = [[i, i + 1, i + 5, i + 4, i + 8, i + 9, i + 13, i + 12] for i in range(3)]
+    data = with_fields(unstructured([(vtk.VTK_HEXAHEDRON, nodes) for nodes in row] + [(vtk.VTK_TETRA, [0, 1, 2, 2])], points),
+                       shift=float(step))
+    ghosts = vtk.vtkUnsignedCharArray()
+    ghosts.SetName("vtkGhostType")
+    for ghost in (0, vtk.vtkDataSetAttributes.DUPLICATECELL, 0, 0):
+        ghosts.InsertNextValue(ghost)
+    data.GetCellData().AddArray(ghosts)
+    return data
+
+
+@pytest.mark.parametrize(("data", "writer", "ending", "is_known_again"), [
+    (two_blocks, vtk.vtkXMLMultiBlockDataWriter, "vtm", True),
+    (with_bad_cells, vtk.vtkXMLUnstructuredGridWriter, "vtu", True),
+    (lambda step: with_fields(ring(), shift=float(step)), vtk.vtkXMLStructuredGridWriter, "vts", False),
+], ids=["blocks", "bad cells", "a welded ring"])
+def test_all_kinds_of_meshes_have_the_same_bytes_now_or_later(tmp_path, data, writer, ending, is_known_again):
+    (tmp_path / "source").mkdir()
+    names = [f"{step}.{ending}" for step in range(4)]
+    for step, name in enumerate(names):
+        write(writer(), tmp_path / "source" / name, data(step))
+    source = write_pvd(tmp_path / "source/run.pvd", names)
+    imported(source, tmp_path / "whole.ciel", tmp_path, *WHOLE)
+    imported(source, tmp_path / "late.ciel", tmp_path, "--on-demand", "--allow-bad")
+    assert (Dataset(tmp_path / "late.ciel").facts["late"]["mesh"] != "") == is_known_again
+    done = run("import", tmp_path / "late.ciel", "--all", cache=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert files_of(tmp_path / "late.ciel") == files_of(tmp_path / "whole.ciel")
+
+
+@pytest.mark.parametrize("name", ["{step}/0.vts", "{step}_0.vts", "piece{step}.vts"])
+def test_the_pieces_of_a_step_count(tmp_path, name):
+    (tmp_path / "source").mkdir()
+    names = []
+    for step in range(4):
+        piece = name.format(step=step)
+        (tmp_path / "source" / piece).parent.mkdir(exist_ok=True)
+        write(vtk.vtkXMLStructuredGridWriter(), tmp_path / "source" / piece, grid(step))
+        names.append(f"{step}.vtm")
+        (tmp_path / "source" / names[-1]).write_text(
+            f'<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet><DataSet index="0" file="{piece}"/>'
+            "</vtkMultiBlockDataSet></VTKFile>")
+    source = write_pvd(tmp_path / "source/run.pvd", names)
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    os.utime(tmp_path / "source" / name.format(step=2), (0, 0))
+    assert run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path).returncode == 0
+    changed = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
+    assert changed.returncode == 1 and "since it was imported" in changed.stderr
+
+
+def test_a_file_that_was_missing_at_the_import_is_read_when_it_is_there(source, tmp_path):
+    (source.parent / "2.vts").rename(tmp_path / "2.vts")
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    missing = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
+    assert missing.returncode == 1 and "does not exist" in missing.stderr
+    (tmp_path / "2.vts").rename(source.parent / "2.vts")
+    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+
+
+def test_a_dataset_of_the_first_format_of_late_steps_is_read_on(source, tmp_path):
+    """Without `files` and `mesh`, the time of the source counts and the mesh is matched again."""
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    attributes = tmp_path / "a.ciel/.zattrs"
+    document = json.loads(attributes.read_text())
+    for member in ("files", "mesh"):
+        del document["ciel"]["late"][member]
+    attributes.write_text(json.dumps(document))
+    assert run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path).returncode == 0
+    os.utime(source, (source.stat().st_mtime + 5,) * 2)
+    changed = run("import", tmp_path / "a.ciel", "--step", "3", cache=tmp_path)
+    assert changed.returncode == 1 and "since it was imported" in changed.stderr
+
+
+@pytest.mark.parametrize("arguments", [["--step", "x"], ["--step", "-1"], ["--step", "1", "-o", "b.ciel"], ["--all", "--force"],
+                                       ["--all", "-a", "f"], ["--step", "1", "--no-weld"], ["--all", "--weld"], ["--all", "--list"],
+                                       ["--all", "--on-demand"], ["--all", "--plot3d", "big"]])
 def test_wrong_use_is_told(source, tmp_path, arguments):
     imported(source, tmp_path / "a.ciel", tmp_path)
     assert run("import", tmp_path / "a.ciel", *arguments, cache=tmp_path).returncode == 2

@@ -8,6 +8,8 @@ namespace server::importer {
 struct Fingerprint {
     std::string cells;     // checksum of connectivity, blanking, and the names of volumes, surfaces and zones
     std::string positions; // checksum of the positions of the volumes' points
+
+    [[nodiscard]] std::string text() const { return cells + ' ' + positions; }
 };
 
 [[nodiscard]] Fingerprint fingerprint(const InputGrids& input_grids);

@@ -217,7 +217,10 @@ private:
     bool blank_points_known_ = false;
 };
 
-void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
+} // namespace
+
+JoinedMesh number_members(const std::vector<InputGrid>& volumes) {
+    JoinedMesh mesh;
     std::map<vtkPoints*, ciel::Index> shared;
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
@@ -240,7 +243,10 @@ void number_members(JoinedMesh& mesh, const std::vector<InputGrid>& volumes) {
         mesh.members.push_back(std::move(member));
     }
     mesh.point_count = static_cast<ciel::Index>(points);
+    return mesh;
 }
+
+namespace {
 
 struct ListedFaces {
     std::size_t count = 0, corners = 0;
@@ -292,9 +298,8 @@ void check_finite(const JoinedMesh& mesh) {
 } // namespace
 
 RunningCounts count_running(const std::vector<InputGrid>& volumes) {
-    JoinedMesh mesh;
-    number_members(mesh, volumes);
     if (volumes.empty()) return {};
+    const JoinedMesh mesh = number_members(volumes);
     const auto last = static_cast<ciel::Index>(volumes.back().data->GetNumberOfCells());
     return {mesh.point_count, mesh.members.back().first_cell + last};
 }
@@ -332,8 +337,7 @@ store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ci
 }
 
 JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes) {
-    JoinedMesh mesh;
-    number_members(mesh, volumes);
+    JoinedMesh mesh = number_members(volumes);
     reserve_cells(mesh);
     for (std::size_t member = 0; member < mesh.members.size(); ++member) MemberJoiner(mesh, member).add_cells();
     mesh.positions = point_positions(mesh.members, mesh.point_count);

@@ -74,6 +74,9 @@ struct JoinedMesh {
     }
 };
 
+// Returns a mesh with members and without cells. Throws Error if there are more than 2^32 - 2 points or cells.
+[[nodiscard]] JoinedMesh number_members(const std::vector<InputGrid>& volumes);
+
 // Throws Error if one of the numbers exceeds 2^32 - 2.
 [[nodiscard]] RunningCounts count_running(const std::vector<InputGrid>& volumes);
 

@@ -230,6 +230,7 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     if (has_pieces(joined)) mesh.joined_pieces = cut.points;
     if (weld == Weld::none && (!input_grids.same_points.empty() || has_pieces(joined)))
         mesh.notes.emplace_back("The pieces of the mesh were not welded (--no-weld).");
+    mesh.may_be_stored_mesh = welds.representative.empty() && joined.flat_cells.empty() && !has_pieces(joined);
     mesh.seams = std::move(welds.seams);
     mesh.notes.insert(mesh.notes.end(), welds.notes.begin(), welds.notes.end());
     if (!welds.representative.empty())

@@ -30,6 +30,8 @@ struct StepMesh {
     std::vector<Patch> patches;
     std::vector<Seam> seams;  // welded seams only
     PointPairs joined_pieces; // running points joined between pieces
+    // No points were welded, the volumes are not pieces of one mesh, and none has cells of dimension 2.
+    bool may_be_stored_mesh = false;
     std::vector<store::NamedGroup> groups;
     std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // before welding and removal of bad cells
     std::uint64_t bad_cells = 0;

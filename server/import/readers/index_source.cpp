@@ -57,6 +57,18 @@ public:
         return std::filesystem::path(steps_[step].front().file).filename().string();
     }
 
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step) const override {
+        std::vector<std::filesystem::path> all;
+        for (const IndexEntry& part : steps_[step]) {
+            const auto open = find_format(part.file).open;
+            if (open != open_vtk_xml && open != open_legacy_vtk) return {};
+            const auto files =
+                open == open_vtk_xml ? files_of_vtk_xml(part.file) : std::vector{std::filesystem::path(part.file)};
+            all.insert(all.end(), files.begin(), files.end());
+        }
+        return all;
+    }
+
 private:
     // A data file is opened only when its step is read, so that a damaged file affects only this step.
     std::unique_ptr<Source> opened(const std::string& file) const {

@@ -60,6 +60,15 @@ public:
     [[nodiscard]] std::vector<std::string> lost() const override {
         return of_all([](const Source& source) { return source.lost(); });
     }
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step) const override {
+        std::vector<std::filesystem::path> all;
+        for (const auto& source : sources_) {
+            const std::vector<std::filesystem::path> files = source->files_of(step);
+            if (files.empty()) return {};
+            all.insert(all.end(), files.begin(), files.end());
+        }
+        return all;
+    }
     void add_known(InputGrids& input_grids, const RunningCounts& first) const override {
         RunningCounts begin = first;
         for (std::size_t i = 0; i < sources_.size(); ++i) {

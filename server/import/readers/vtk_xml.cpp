@@ -58,19 +58,20 @@ std::string type_in(const std::string& file) {
     return std::regex_search(head, match, element) ? match[1].str() : "";
 }
 
-void require_regular_references(const std::filesystem::path& file, const std::string& type, int depth = 0) {
+// Adds the files that an index names, and those that they name.
+void add_references(const std::filesystem::path& file, std::vector<std::filesystem::path>& files, int depth = 0) {
     constexpr std::uintmax_t most_bytes = 256U << 20;
     constexpr int deepest = 8; // ends the recursion if an index lists itself
-    const bool is_index = type.starts_with("P") || type.starts_with("vtk");
     std::error_code missing;
-    if (!is_index || depth > deepest || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
+    if (depth > deepest || !std::filesystem::is_regular_file(file, missing)) return;
+    const std::string type = type_in(file.string());
+    const bool is_index = type.starts_with("P") || type.starts_with("vtk");
+    if (!is_index || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
     pugi::xml_document document;
     if (!document.load_file(file.c_str())) return; // VTK's reader reports malformed XML
     for (const auto& found : document.select_nodes("//@Source | //@file")) {
-        const std::filesystem::path named = file.parent_path() / found.attribute().value();
-        require_regular(named);
-        if (std::filesystem::is_regular_file(named, missing))
-            require_regular_references(named, type_in(named.string()), depth + 1);
+        files.push_back(file.parent_path() / found.attribute().value());
+        add_references(std::filesystem::path(files.back()), files, depth + 1);
     }
 }
 
@@ -108,10 +109,16 @@ std::vector<std::string> pieces_in(const std::string& file) {
 
 } // namespace
 
+std::vector<std::filesystem::path> files_of_vtk_xml(const std::filesystem::path& file) {
+    std::vector<std::filesystem::path> files{file};
+    add_references(file, files);
+    return files;
+}
+
 std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions&) {
     const std::string& file = inputs.front();
     const std::string type = type_in(file);
-    require_regular_references(file, type);
+    for (const std::filesystem::path& named : files_of_vtk_xml(file)) require_regular(named);
     for (const XmlType& row : xml_types) {
         if (row.type != type) continue;
         const vtkSmartPointer<vtkXMLReader> reader = row.make();

@@ -4,6 +4,7 @@
 #include "import/source/array_selection.hpp"
 #include "import/source/input_grids.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -41,6 +42,9 @@ public:
     }
     // Returns a path such as "0.5/p"; empty if the file is not known.
     [[nodiscard]] virtual std::string file_of(const ArrayName& /*array*/, std::size_t /*step*/) const { return ""; }
+    // Returns the files and directories from which this step and its mesh are read, without the index of the steps.
+    // Empty if the format does not tell them.
+    [[nodiscard]] virtual std::vector<std::filesystem::path> files_of(std::size_t /*step*/) const { return {}; }
     // Returns whether the reader computes the array from other quantities in the file.
     [[nodiscard]] virtual bool is_derived(const ArrayName& /*array*/) const { return false; }
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name

@@ -111,6 +111,9 @@ LateSource parse_late(const JsonReader& value) {
     for (const auto& [name, values] : value.at("options").members())
         for (const JsonReader& one : values.items()) late.options[name].push_back(one.text());
     late.changed = static_cast<std::int64_t>(value.at("changed").count());
+    if (const auto files = value.find("files"))
+        for (const JsonReader& of_step : files->items()) late.files.push_back(of_step.text());
+    late.mesh = text_or_empty(value, "mesh");
     return late;
 }
 
@@ -157,7 +160,11 @@ std::string root_attributes_text(const DatasetInfo& info) {
         {"input", {{"vertices", info.input_vertices}, {"edges", info.input_edges}, {"cells", info.input_cells}}},
         {"notes", info.notes}};
     if (!info.late.inputs.empty())
-        ciel["late"] = {{"inputs", info.late.inputs}, {"options", info.late.options}, {"changed", info.late.changed}};
+        ciel["late"] = {{"inputs", info.late.inputs},
+                        {"options", info.late.options},
+                        {"changed", info.late.changed},
+                        {"files", info.late.files},
+                        {"mesh", info.late.mesh}};
     return to_text(nlohmann::json{{"ciel", std::move(ciel)}});
 }
 

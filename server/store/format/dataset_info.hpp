@@ -101,6 +101,10 @@ struct LateSource {
     std::vector<std::string> inputs;                         // absolute paths
     std::map<std::string, std::vector<std::string>> options; // of the import, by the name of the option
     std::int64_t changed = 0; // time of the inputs' last change when they were imported, in ns since 1970 (UTC)
+    // By step: checksum of the names, sizes and times of the step's files; empty if its arrays are not late. If all are
+    // empty, the format does not tell the files of a step, and `changed` counts.
+    std::vector<std::string> files{};
+    std::string mesh{}; // text by which an import knows the mesh again; empty if it has to match the mesh again
 };
 
 struct DatasetInfo {

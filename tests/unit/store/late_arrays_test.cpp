@@ -29,7 +29,8 @@ protected:
         add(writer, 0);
         for (const double time : {1, 2}) writer.add_late_step(time, 0, 0, both);
         add(writer, 3);
-        writer.set_late({{"/data/box.vtu"}, {{"array", {"p", "q"}}}, 1234567890123456789});
+        writer.set_late(
+            {{"/data/box.vtu"}, {{"array", {"p", "q"}}}, 1234567890123456789, {"", "xxh3:1", "xxh3:2", ""}, "a mesh"});
         writer.finish();
     }
     static void add(Writer& writer, std::size_t step) {
@@ -56,6 +57,8 @@ TEST_F(LateArrays, AreListedAndCannotBeRead) {
     EXPECT_EQ(dataset->info().late.inputs, std::vector<std::string>{"/data/box.vtu"});
     EXPECT_EQ(dataset->info().late.options.at("array"), (std::vector<std::string>{"p", "q"}));
     EXPECT_EQ(dataset->info().late.changed, 1234567890123456789);
+    EXPECT_EQ(dataset->info().late.mesh, "a mesh");
+    EXPECT_EQ(dataset->info().late.files, (std::vector<std::string>{"", "xxh3:1", "xxh3:2", ""}));
     ASSERT_EQ(dataset->steps().size(), 4U);
     EXPECT_TRUE(dataset->steps()[1].arrays.at("p").late);
     EXPECT_FALSE(dataset->steps()[3].arrays.at("p").late);

@@ -96,6 +96,18 @@ public:
         return foam_.is_decomposed ? "processor*/" + file : file;
     }
 
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step) const override {
+        const double time = foam_.times[step];
+        std::vector<std::filesystem::path> files;
+        for (const std::string& region : foam_.regions) {
+            for (std::filesystem::path& file : foam_mesh_files(foam_, region, time))
+                if (!file.empty()) files.push_back(std::move(file));
+            for (const FoamRoot& root : foam_.roots)
+                if (const auto at = root.times.find(time); at != root.times.end()) files.push_back(at->second / region);
+        }
+        return files;
+    }
+
     [[nodiscard]] std::map<std::string, std::string> units() const override {
         std::map<std::string, std::string> units;
         for (const auto& [name, info] : infos_) units[name] = info.units;

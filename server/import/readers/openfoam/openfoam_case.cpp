@@ -70,6 +70,14 @@ std::set<std::string> regions_in(const fs::path& directory) {
     return regions;
 }
 
+std::map<double, fs::path> times_with_mesh(const FoamRoot& root, const std::string& region) {
+    std::map<double, fs::path> found;
+    std::error_code missing;
+    for (const auto& [time, directory] : root.times)
+        if (fs::exists(directory / region / "polyMesh", missing)) found.emplace(time, directory);
+    return found;
+}
+
 std::vector<int> processors_in(const fs::path& directory) {
     constexpr std::string_view prefix = "processor";
     std::vector<int> numbers;
@@ -134,7 +142,8 @@ std::string missing_processor(std::int64_t number) {
 }
 
 fs::path FoamRoot::mesh_file(const std::string& region, const std::string& file, double time) const {
-    for (auto at = times.upper_bound(time); at != times.begin();) {
+    const auto& of_region = mesh_times.at(region);
+    for (auto at = of_region.upper_bound(time); at != of_region.begin();) {
         --at;
         fs::path of_time = plain_or_compressed(at->second / region / "polyMesh" / file);
         if (!of_time.empty()) return of_time;
@@ -160,7 +169,7 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
         notes.push_back("The later times in " + collated +
                         " (collated files) were not read; run reconstructPar on the case to read them.");
 
-    if (!is_decomposed) roots.push_back({0, "", directory, {}});
+    if (!is_decomposed) roots.push_back({0, "", directory, {}, {}});
     int expected = 0;
     for (const int number : processors) {
         if (!is_decomposed) break;
@@ -168,7 +177,7 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
             lost.push_back(missing_processor(missing));
         expected = number + 1;
         const std::string name = "processor" + std::to_string(number);
-        roots.push_back({number, name, directory / name, {}});
+        roots.push_back({number, name, directory / name, {}, {}});
     }
     std::set<std::string> all_regions;
     std::set<double> all_times;
@@ -180,6 +189,8 @@ FoamCase::FoamCase(const fs::path& input) : directory(case_directory(input, fs::
     times.assign(all_times.begin(), all_times.end());
     regions.assign(all_regions.begin(), all_regions.end());
     if (times.empty()) times = {0};
+    for (FoamRoot& root : roots)
+        for (const std::string& region : regions) root.mesh_times[region] = times_with_mesh(root, region);
 }
 
 void require_regular_files_of(const FoamCase& foam) {

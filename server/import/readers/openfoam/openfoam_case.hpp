@@ -16,6 +16,7 @@ struct FoamRoot {
     std::string name; // "processor3"; empty for a whole case
     std::filesystem::path directory;
     std::map<double, std::filesystem::path> times;
+    std::map<std::string, std::map<double, std::filesystem::path>> mesh_times; // by region: times with a polyMesh
 
     // Returns the file in the latest time directory that has it and is not after `time`, or else the file in
     // `constant`. Returns an empty path if the file does not exist at all.
