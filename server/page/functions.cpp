@@ -1,5 +1,6 @@
 #include "page/functions.hpp"
 
+#include "annotations/camera.hpp"
 #include "annotations/color_ticks.hpp"
 #include "annotations/layout.hpp"
 #include "annotations/legend_names.hpp"
@@ -222,6 +223,16 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
     }
     write(results, triad);
     write(results, axes);
+}
+
+void default_camera(Reader& arguments, Writer& results) {
+    const ciel::Vec3d low = vector(arguments), high = vector(arguments);
+    const double aspect = arguments.number();
+    const annotations::ViewCamera camera = annotations::default_camera(low, high, aspect, arguments.number());
+    results.numbers(camera.position);
+    results.numbers(camera.target);
+    results.numbers(camera.up);
+    results.number(camera.parallel_height);
 }
 
 void label_on(Reader& arguments, Writer& results) {

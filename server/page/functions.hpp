@@ -1,6 +1,6 @@
-// Functions of the server that the page calls: the layout of annotations, numbers as text, ranges of color scales and
-// colors along them, color maps, and names of legends. Each function reads its arguments from one message and appends
-// its results to another message, in the order that its comment gives.
+// Functions of the server that the page calls: the layout of annotations, the default camera, numbers as text, ranges
+// of color scales and colors along them, color maps, and names of legends. Each function reads its arguments from one
+// message and appends its results to another message, in the order that its comment gives.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -27,6 +27,10 @@ void lay_out(Reader& arguments, annotations::TextMeasure& measure, Writer& resul
 // of the room for controls.
 // Results: the overlay of title, captions and legends, then the taken boxes (number, then each box).
 void lay_texts(Reader& arguments, annotations::TextMeasure& measure, Writer& results);
+
+// Low corner (3) and high corner (3) of a box in world coordinates, aspect ratio, field of view (degrees) -> position
+// (3), target (3), up (3), parallel height (see annotations::default_camera)
+void default_camera(Reader& arguments, Writer& results);
 
 // A scale of values consists of: lower end, upper end, log (0 or 1), steps.
 // A color scale consists of: a scale of values; map (text); color points (number, then position and color of each

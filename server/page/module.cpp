@@ -50,6 +50,7 @@ std::size_t call(Function function) {
     PageText measure;
     return call([&](auto& in, auto& out) { server::page::lay_texts(in, measure, out); });
 }
+[[clang::export_name("default_camera")]] std::size_t default_camera() { return call(server::page::default_camera); }
 [[clang::export_name("label_on")]] std::size_t label_on() { return call(server::page::label_on); }
 [[clang::export_name("number_alone")]] std::size_t number_alone() { return call(server::page::number_alone); }
 [[clang::export_name("pretty_units")]] std::size_t pretty_units() { return call(server::page::pretty_units); }

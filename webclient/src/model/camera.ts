@@ -1,5 +1,6 @@
 // Camera operations as pure functions. Pixel coordinates are relative to the canvas, with y downwards.
 import { DEFAULTS, type Camera } from "../generated/protocol";
+import { defaultCamera } from "../wasm/default_camera";
 import { add, cross, dot, length, normalize, rotate, scale, subtract, type Vec3 } from "./vector";
 
 export type Bounds = [number, number, number, number, number, number];
@@ -171,9 +172,9 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/** Returns the server's default view, from larger x, smaller y and larger z than the center of the box. */
+/** Shows the whole box, from larger x, smaller y and larger z. The server moves this camera clear of annotations. */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
-  return fit(bounds, normalize([-0.55, 1, -0.5]), [0, 0, 1], aspect, fov, parallel);
+  return complete({ ...defaultCamera(bounds, aspect, fov), parallel });
 }
 
 const EDGE_SAMPLES = 24;
