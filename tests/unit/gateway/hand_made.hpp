@@ -11,7 +11,8 @@ using namespace ciel;
 // WebSocket client without a library. Its masking key is zero, so the payload is sent unchanged.
 class HandMade : public Socket {
 public:
-    explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
+    explicit HandMade(const RunningServer& server, int receive_buffer = 0) : HandMade(server.port(), receive_buffer) {}
+    explicit HandMade(unsigned short port, int receive_buffer = 0) : Socket(port, receive_buffer) {
         send("GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
              "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
              "Sec-WebSocket-Protocol: ciel.v1\r\n\r\n");

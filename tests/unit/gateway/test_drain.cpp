@@ -81,7 +81,8 @@ void idle_client_beside_a_slow_call() {
 }
 
 void client_of_a_slow_call() {
-    Stopping stopping(8); // the default of one second is too short on a loaded machine to abandon a picture
+    // Half of the time is for the picture to finish, the rest to abandon it, which takes seconds on a loaded machine.
+    Stopping stopping(20);
     std::optional<HandMade> busy(*stopping.server);
     busy->send_frame(text, heavy_picture);
     stopping.wait_until_drawing();

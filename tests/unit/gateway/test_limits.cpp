@@ -45,31 +45,6 @@ void trickle(Socket& socket, const std::string& byte) {
         if (!socket.send(byte)) return;
 }
 
-// WebSocket client without a library. Its masking key is zero, so the payload is sent unchanged.
-class HandMade : public Socket {
-public:
-    explicit HandMade(const RunningServer& server, int receive_buffer = 0) : Socket(server, receive_buffer) {
-        send("GET /ws HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-             "Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n"
-             "Sec-WebSocket-Protocol: ciel.v1\r\n\r\n");
-        const std::string head = receive_until("\r\n\r\n");
-        EXPECT_THAT(head, StartsWith("HTTP/1.1 101 "));
-    }
-    // `payload` must be shorter than 126 bytes.
-    bool send_frame(char opcode, const std::string& payload) {
-        return send(
-            std::string{static_cast<char>(0x80 | opcode), static_cast<char>(0x80 | payload.size()), 0, 0, 0, 0} +
-            payload);
-    }
-    // Opcode and payload of the next frame, shorter than 126 bytes; opcode -1 at the end of the connection.
-    std::pair<int, std::string> receive_frame() {
-        const std::string head = receive(2);
-        if (head.size() < 2) return {-1, {}};
-        return {head[0] & 15, receive(static_cast<unsigned char>(head[1]))};
-    }
-};
-constexpr char text = 1, ping = 9, pong = 10;
-
 TEST(RequestBodies, AreCountedWhileTheyArrive) {
     const RunningServer server(patient());
     Socket sender(server), asker(server);

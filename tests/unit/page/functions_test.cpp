@@ -1,5 +1,6 @@
 #include "page/functions.hpp"
 
+#include "annotations/camera.hpp"
 #include "annotations/overlay.hpp"
 
 #include <cmath>
@@ -207,6 +208,16 @@ Reader results_of(Function function, Writer& results, const std::vector<double>&
     results.clear();
     function(reader, results);
     return Reader(results.message());
+}
+
+TEST(PageFunctions, GiveTheDefaultCamera) {
+    Writer results;
+    Reader found = results_of(default_camera, results, {1, 2, 3, 4, 6, 9, 1.5, 40});
+    const annotations::ViewCamera camera = annotations::default_camera({1, 2, 3}, {4, 6, 9}, 1.5, 40);
+    EXPECT_EQ(found.numbers<3>(), camera.position);
+    EXPECT_EQ(found.numbers<3>(), (ciel::Vec3d{2.5, 4, 6}));
+    EXPECT_EQ(found.numbers<3>(), camera.up);
+    EXPECT_EQ(found.number(), camera.parallel_height);
 }
 
 TEST(PageFunctions, MakeTexts) {
