@@ -228,7 +228,7 @@ def test_vtk_takes_a_surface_without_a_copy(python):
         address = surface.polygon_vertex.ctypes.data
         assert surface.polygon_vertex.ctypes.data == address and not surface.normals.flags.writeable
         polygons = vtk.vtkCellArray()
-        assert polygons.SetData(numpy_to_vtk(surface.polygon_offset), numpy_to_vtk(surface.polygon_vertex))
+        polygons.SetData(numpy_to_vtk(surface.polygon_offset), numpy_to_vtk(surface.polygon_vertex))
         assert polygons.GetNumberOfCells() == len(surface)
         assert vtk_to_numpy(polygons.GetConnectivityArray()).ctypes.data == address
         """,
