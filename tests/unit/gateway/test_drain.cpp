@@ -3,14 +3,11 @@
 #include "hand_made.hpp"
 #include "support/small_dataset/small_dataset.hpp"
 
-#include <gmock/gmock.h>
 #include <optional>
 
 namespace server::gateway {
 using namespace ciel;
 namespace {
-
-using testing::HasSubstr;
 
 constexpr unsigned never = 100'000;
 constexpr int as_expected = 7;
