@@ -6,7 +6,7 @@ import type { Client } from "./page.ts";
 import { isoFragment, skip, Stage } from "./stage.ts";
 
 describe("far from the server", { skip }, () => {
-  const stage = new Stage({}, { large: true }); // a drag ends before the server has drawn a large dataset
+  const stage = new Stage();
 
   async function over(options: LineOptions, use: (client: Client) => Promise<void>): Promise<void> {
     const line = await Line.to(stage.server.port, options);
