@@ -183,6 +183,7 @@ MALFORMED = [
     ("series nested deeply", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": ' + "[" * 100000), ""),
     ("series naming itself", lambda f: text(f, "a.series", '{"file-series-version": "1.0", "files": [{"name": "a.series"}]}'), "itself an index file"),
     ("pvtu naming a missing piece", lambda f: text(f, "a.pvtu", '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0"><PPoints><PDataArray type="Float32" NumberOfComponents="3"/></PPoints><Piece Source="gone.vtu"/></PUnstructuredGrid></VTKFile>'), ""),
+    ("vtm naming itself many times", lambda f: text(f, "a.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>' + "".join(f'<DataSet index="{i}" file="a.vtm"/>' for i in range(40)) + "</vtkMultiBlockDataSet></VTKFile>"), ""),
     ("vtm naming a missing block", lambda f: text(f, "a.vtm", '<VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet><DataSet index="0" file="gone.vtu"/></vtkMultiBlockDataSet></VTKFile>'), ""),
     ("vts whose extent is a lie", lambda f: edit(write(vtk.vtkXMLStructuredGridWriter(), f / "a.vts", structured(), SetDataMode=0), r'WholeExtent="0 3 0 3 0 3"', 'WholeExtent="0 900 0 900 0 900"'), ""),
     ("PLOT3D cut short", lambda f: cut(write_pair(f)[0], 0.9), ""),

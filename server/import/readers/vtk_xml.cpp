@@ -9,6 +9,8 @@
 #include <fstream>
 #include <pugixml.hpp>
 #include <regex>
+#include <unordered_set>
+#include <utility>
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLMultiBlockDataReader.h>
 #include <vtkXMLPImageDataReader.h>
@@ -58,22 +60,33 @@ std::string type_in(const std::string& file) {
     return std::regex_search(head, match, element) ? match[1].str() : "";
 }
 
-// Adds the files that an index names, and those that they name.
-void add_references(const std::filesystem::path& file, std::vector<std::filesystem::path>& files, int depth = 0) {
-    constexpr std::uintmax_t most_bytes = 256U << 20;
-    constexpr int deepest = 8; // ends the recursion if an index lists itself
-    std::error_code missing;
-    if (depth > deepest || !std::filesystem::is_regular_file(file, missing)) return;
-    const std::string type = type_in(file.string());
-    const bool is_index = type.starts_with("P") || type.starts_with("vtk");
-    if (!is_index || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
-    pugi::xml_document document;
-    if (!document.load_file(file.c_str())) return; // VTK's reader reports malformed XML
-    for (const auto& found : document.select_nodes("//@Source | //@file")) {
-        files.push_back(file.parent_path() / found.attribute().value());
-        add_references(std::filesystem::path(files.back()), files, depth + 1);
+class References {
+public:
+    explicit References(const std::filesystem::path& file) { add(file, 0); }
+    [[nodiscard]] std::vector<std::filesystem::path> take() { return std::move(files_); }
+
+private:
+    // Adds a file, the files that it names if it is an index, and those that they name. Each file is opened once,
+    // because indexes may name themselves and each other.
+    void add(const std::filesystem::path& file, int depth) {
+        constexpr std::uintmax_t most_bytes = 256U << 20;
+        constexpr int deepest = 8;
+        if (!seen_.insert(file.lexically_normal().string()).second) return;
+        files_.push_back(file);
+        std::error_code missing;
+        if (depth > deepest || !std::filesystem::is_regular_file(file, missing)) return;
+        const std::string type = type_in(file.string());
+        const bool is_index = type.starts_with("P") || type.starts_with("vtk");
+        if (!is_index || std::filesystem::file_size(file, missing) > most_bytes || missing) return;
+        pugi::xml_document document;
+        if (!document.load_file(file.c_str())) return; // VTK's reader reports malformed XML
+        for (const auto& found : document.select_nodes("//@Source | //@file"))
+            add(file.parent_path() / found.attribute().value(), depth + 1);
     }
-}
+
+    std::vector<std::filesystem::path> files_;
+    std::unordered_set<std::string> seen_;
+};
 
 // The import joins the pieces along their cuts. VTK's reader would append them to one grid without marking them.
 class PiecesSource : public ReaderSource {
@@ -110,9 +123,7 @@ std::vector<std::string> pieces_in(const std::string& file) {
 } // namespace
 
 std::vector<std::filesystem::path> files_of_vtk_xml(const std::filesystem::path& file) {
-    std::vector<std::filesystem::path> files{file};
-    add_references(file, files);
-    return files;
+    return References(file).take();
 }
 
 std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions&) {
