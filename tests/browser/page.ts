@@ -236,7 +236,8 @@ export class Client {
   async picture(): Promise<Picture> {
     const hidden =
       ".ahead, .triad, .box-axes, .texts, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
-    return decodePng(await this.canvas.screenshot({ style: hidden }));
+    // Transparent polygons take seconds a frame in software, and a screenshot waits for several frames.
+    return decodePng(await this.canvas.screenshot({ style: hidden, timeout: 90_000 }));
   }
 
   /** Saves a screenshot for visual inspection. */

@@ -10,6 +10,8 @@ using namespace ciel;
 namespace {
 
 constexpr unsigned never = 100'000;
+// Half of the time is for the picture to finish, the rest to abandon it, which takes seconds on a loaded machine.
+constexpr unsigned enough_to_abandon = 20;
 constexpr int as_expected = 7;
 
 // Drawn completely in software, this picture takes more than half a minute.
@@ -78,8 +80,7 @@ void idle_client_beside_a_slow_call() {
 }
 
 void client_of_a_slow_call() {
-    // Half of the time is for the picture to finish, the rest to abandon it, which takes seconds on a loaded machine.
-    Stopping stopping(20);
+    Stopping stopping(enough_to_abandon);
     std::optional<HandMade> busy(*stopping.server);
     busy->send_frame(text, heavy_picture);
     stopping.wait_until_drawing();
@@ -104,7 +105,7 @@ void client_that_does_not_read() {
 
 // The answers fit into the socket buffers, so the server sends its close frame and waits for the client's.
 void client_that_does_not_close() {
-    Stopping stopping(8); // one second is too short on a loaded machine to abandon a picture
+    Stopping stopping(enough_to_abandon);
     HandMade stuck(*stopping.server);
     stuck.send_frame(text, heavy_picture);
     stopping.wait_until_drawing();
