@@ -3,7 +3,7 @@
 
 generate.py --cpp FOLDER          types, conversions, method table, scene, frame header, the document (the build calls this)
 generate.py --typescript FOLDER   the web client's types and frame header (npm calls this)
-generate.py --python FOLDER       the Python client's types, methods and frame header
+generate.py --python FOLDER       the Python client's types, methods, frame header and version
 generate.py --markdown            the table of the frame header in frame.md
 """
 
@@ -49,6 +49,7 @@ def main() -> int:
         write(arguments.python / "calls.py", python_calls.emit(contract, is_async=False))
         write(arguments.python / "async_calls.py", python_calls.emit(contract, is_async=True))
         write(arguments.python / "frame_header.py", frame_header.emit_python(header))
+        write(arguments.python / "version.py", python.emit_version((PROTOCOL.parent / "server/ciel/version.txt").read_text()))
     if arguments.markdown:
         text = (PROTOCOL / "frame.md").read_text(encoding="utf-8")
         table = "\n" + frame_header.emit_table(header)

@@ -85,3 +85,7 @@ def emit(contract: Contract) -> str:
         + "\n\nPROTOCOL = {{\"major\": {}, \"minor\": {}}}  # the version of the contract\n".format(*contract.protocol)
         + f"ERROR_CODES: dict[str, int] = {{\n{codes}}}\n"
     )
+
+
+def emit_version(version: str) -> str:
+    return f'"""Generated from server/ciel/version.txt; do not edit."""\n\n__version__ = "{version.strip()}"\n'

@@ -177,12 +177,13 @@ class Generated(unittest.TestCase):
         for schema in self.contract.schemas:
             self.assertTrue(hasattr(types, schema), schema)
 
-    def test_python_methods_and_frame_header_are_up_to_date(self):
+    def test_python_methods_frame_header_and_version_are_up_to_date(self):
         header = frame_header.load(ROOT / "protocol/frame_header.json")
         texts = {
             "calls.py": python_calls.emit(self.contract, is_async=False),
             "async_calls.py": python_calls.emit(self.contract, is_async=True),
             "frame_header.py": frame_header.emit_python(header),
+            "version.py": python.emit_version((ROOT / "server/ciel/version.txt").read_text(encoding="utf-8")),
         }
         for name, text in texts.items():
             committed = (ROOT / "protocol/python/ciel_client" / name).read_text(encoding="utf-8")

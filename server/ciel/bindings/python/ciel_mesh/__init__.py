@@ -8,6 +8,8 @@ pyramids and arbitrary polyhedra. NumPy arrays in and out.
     surface = cm.contour(mesh, pressure, 101325)  # surface.points, surface.triangles
 """
 
+from importlib.metadata import version
+
 from ._from_meshio import from_meshio
 from ._from_vtk import from_vtk
 from ._kernel import (
@@ -43,4 +45,4 @@ __all__ = [
     "threshold",
     "triangulate",
 ]
-__version__ = "0.2.0"
+__version__ = version("ciel-mesh")
