@@ -317,3 +317,17 @@ def test_with_few_descriptors_sessions_still_open_and_it_is_said_once(box, tmp_p
         log = (tmp_path / "log").read_text()
     assert log.count("file descriptors are in use") == 1, log
     assert "was not accepted" not in log
+
+
+def test_without_a_descriptor_a_client_waits_until_there_is_one(box, tmp_path):
+    with Server(box, log=tmp_path / "log") as running:
+        before = resource.prlimit(running.process.pid, resource.RLIMIT_NOFILE)
+        resource.prlimit(running.process.pid, resource.RLIMIT_NOFILE, (3, before[1]))
+        with socket.create_connection(("127.0.0.1", running.port), timeout=PATIENCE) as client:
+            client.sendall(b"GET /healthz HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+            until(lambda: "a connection was not accepted" in (tmp_path / "log").read_text())
+            resource.prlimit(running.process.pid, resource.RLIMIT_NOFILE, before)
+            assert client.recv(4096).startswith(b"HTTP/1.1 200")
+        assert running.stop() == 0
+        log = (tmp_path / "log").read_text()
+    assert log.count("was not accepted") == 1, log  # tried again every tenth of a second, said once
