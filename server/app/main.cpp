@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "ciel/types.hpp"
+#include "store/files/files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <exception>
@@ -55,6 +56,9 @@ int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a b
     } catch (const server::app::UsageError& error) {
         return fail(error.what(), wrong_usage);
     } catch (const std::exception& error) {
-        return fail(error.what(), failed);
+        const bool lacks_memory = server::store::is_out_of_memory(error);
+        return fail(lacks_memory ? "this machine does not have enough memory; ask for less, or end other programs"
+                                 : error.what(),
+                    failed);
     }
 }

@@ -3,7 +3,7 @@
 
 usage: polygons.py CIEL DATASET.ciel SCALAR COLOR [--size WxH]
 Starts a server. Shows the boundary, an iso-surface of SCALAR colored by COLOR, a slice, all three, then changes of one of them.
-Prints one JSON line for each, with the bytes of complete frames.
+Prints one JSON line for each, with the bytes of complete frames. Exits with 1 if many triangles have more than MOST_BYTES each.
 """
 
 import argparse
@@ -16,6 +16,9 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "protocol/python"))
 from ciel_client import Client, Stream  # noqa: E402
+
+MOST_BYTES = 6
+FEW = 10_000  # triangles, beside which the head of a batch weighs little
 
 
 async def shown(stream, session, patch):
@@ -58,6 +61,7 @@ async def measure(options, port):
         start = {"dataset": dataset, "camera": scene["camera"], "layers": {"far": {**across, "axis": "x", "value": 0.98 * bounds[1]}}}
         session = (await stream.call("session.open", scene=start))["session"]
         await stream.call("view.open", session=session, width=width, height=height, stream="geometry")
+        dear = []
         for name, patch in steps:
             try:
                 size, frame = await asyncio.wait_for(shown(stream, session, patch), 20)
@@ -66,6 +70,9 @@ async def measure(options, port):
                 continue
             print(json.dumps({"scene": name, "triangles": frame.triangles, "bytes": size, "encode_ms": round(frame.encode_ms, 1),
                               "bytes_a_triangle": round(size / max(frame.triangles, 1), 2)}), flush=True)
+            if frame.triangles > FEW and size > MOST_BYTES * frame.triangles:
+                dear.append(name)
+    return dear
 
 
 def main():
@@ -78,7 +85,9 @@ def main():
     try:
         for line in server.stdout:
             if found := re.search(r"http://127\.0\.0\.1:(\d+)", line):
-                asyncio.run(measure(options, int(found.group(1))))
+                dear = asyncio.run(measure(options, int(found.group(1))))
+                if dear:
+                    sys.exit(f"more than {MOST_BYTES} bytes a triangle: {', '.join(dear)}")
                 break
     finally:
         server.terminate()

@@ -57,7 +57,8 @@ describe("choosing another dataset", { skip }, () => {
     await heldNow(client, "description");
     const opening = client.page.locator(".busy");
     assert.equal(await opening.textContent(), "Opening cube");
-    assert.equal(await client.page.locator(".stage.opening").count(), 1);
+    const filter = await client.canvas.evaluate((element) => getComputedStyle(element).filter);
+    assert.match(filter, /grayscale\(1\).*opacity\(0\.25\)/, "the picture of the other dataset is gray and faint");
     assert.equal(await visibleNumbers(client), "");
     assert.equal(await client.page.locator(".side-panel .section:visible").count(), 0);
     await client.keep("opening-description");

@@ -113,11 +113,13 @@ describe("page", { skip }, () => {
 
   test("it comes back by itself", async () => {
     const client = await stage.same();
+    const before = await client.picture();
     await stage.server.stop();
     await client.page.getByText("The server does not answer").waitFor();
     await stage.server.start();
     await client.connected();
     await client.settled();
+    assert.ok(difference(before, await client.picture()) < 0.005, "with the picture that was there");
   });
 
   test("offline is said at once", async () => {
@@ -153,6 +155,7 @@ describe("page", { skip }, () => {
       assert.equal(await slider.inputValue(), step);
       await client.button("Step on").click();
       await client.settled();
+      assert.equal(Number(await slider.inputValue()), Number(step) + 1);
       assert.ok(difference(first, await client.picture()) > 0.001);
     }
   });

@@ -96,7 +96,8 @@ describe("view", { skip }, () => {
     await client.page.mouse.move((box?.x ?? 0) + 480, (box?.y ?? 0) + 300);
     for (let i = 0; i < 4; i += 1) await client.page.mouse.wheel(0, -120);
     await client.settled();
-    assert.ok(difference(before, await client.picture()) > 0.02);
+    const near = await client.picture();
+    assert.ok(foreground(near) > 1.2 * foreground(before), "what is drawn has become larger");
     await client.canvas.focus();
     client.patches.length = 0;
     await client.page.keyboard.press("r");
@@ -111,8 +112,18 @@ describe("view", { skip }, () => {
     await client.settled();
     const fromAbove = await client.picture();
     assert.ok(difference(before, fromAbove) > 0.02);
+    const coordinate = async (name: string): Promise<string> =>
+      client.page.getByLabel(name, { exact: true }).inputValue();
+    for (const axis of ["x", "y"])
+      assert.equal(
+        await coordinate(`Position ${axis}`),
+        await coordinate(`Target ${axis}`),
+        `not beside it in ${axis}`,
+      );
+    client.patches.length = 0;
     await client.page.getByLabel("Parallel projection").check();
     await client.settled();
+    assert.equal((client.patches.at(-1)?.patch as { camera: { parallel: boolean } }).camera.parallel, true);
     assert.ok(difference(fromAbove, await client.picture()) > 0.001);
     await client.page.getByLabel("Parallel projection").uncheck();
     await client.button("Show what is drawn").click();

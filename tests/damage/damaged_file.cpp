@@ -103,7 +103,8 @@ std::vector<fs::path> mapped_files_in(const fs::path& dataset) {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(dataset / "meshes")) {
         const std::string name = entry.path().filename().string();
-        if (entry.is_regular_file() && name.front() == '0' && entry.file_size() > 0)
+        const bool is_moved = name.front() == '1' && entry.path().parent_path().filename() == "positions";
+        if (entry.is_regular_file() && (name.front() == '0' || is_moved) && entry.file_size() > 0)
             files.push_back(fs::relative(entry.path(), dataset));
     }
     std::sort(files.begin(), files.end());

@@ -17,7 +17,7 @@ void rewrite(const std::filesystem::path& file, const std::string& content);
 // Writes a new file beside the old one and renames it, as a correct writer does.
 void replace(const std::filesystem::path& file, const std::string& content);
 
-// Mapped files of a dataset: topology, positions, and the arrays at the first step.
+// Mapped files of a dataset: topology, both sets of positions, and the arrays at the first step.
 // Paths relative to the dataset.
 [[nodiscard]] std::vector<std::filesystem::path> mapped_files_in(const std::filesystem::path& dataset);
 // True for files of indices, whose damage is always detected.

@@ -27,7 +27,7 @@ json layers_of(const store::Dataset& dataset, const std::string& cells) {
         if (group.of == store::Group::Of::faces) patch = group.name;
     const json by_u{{"array", "U:magnitude"}};
     const json threshold{{"array", "p"}, {"range", {low, value}}};
-    return {
+    json layers{
         {"outline", {{"type", "outline"}}},
         {"surface", {{"type", "surface"}, {"color", {{"array", "p"}}}, {"edges", {{"width", 1}}}}},
         {"patch", {{"type", "surface"}, {"groups", {patch}}, {"color", by_u}}},
@@ -45,6 +45,9 @@ json layers_of(const store::Dataset& dataset, const std::string& cells) {
         {"volume", {{"type", "volume"}, {"array", "p"}}},
         {"clip", {{"type", "clip"}, {"origin", middle}, {"normal", {1, 0, 0}}, {"caps", true}}},
     };
+    if (dataset.steps()[0].arrays.contains("patch:p"))
+        layers["faces"] = {{"type", "surface"}, {"groups", {patch}}, {"color", {{"array", "patch:p"}}}};
+    return layers;
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <gmock/gmock.h>
+#include <numeric>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -28,8 +29,52 @@ struct Data {
     std::string name, cells;
     void (*write)(const fs::path& directory);
     bool is_format_1 = false;
+    std::vector<std::string_view> only = {}; // the files that are damaged are below these; empty: all files
 };
-const std::array<Data, 3> datasets{
+
+// Doubles, a second set of coordinates, the solver's numbers, and values on boundary faces.
+void write_further_files(const fs::path& directory) {
+    using store::Association;
+    FaceMesh mesh = box(4, 3, 3);
+    std::vector<double> places(mesh.positions.begin(), mesh.positions.end());
+    for (double& at : places) at += 1e-9 * at;
+    mesh.positions.clear();
+    mesh.double_positions = places;
+    const std::size_t vertices = places.size() / 3, cells = mesh.cell_types.size();
+    std::vector<std::int64_t> vertex_numbers(vertices), cell_numbers(cells);
+    std::iota(vertex_numbers.begin(), vertex_numbers.end(), 100);
+    std::iota(cell_numbers.begin(), cell_numbers.end(), 1000);
+    store::Writer writer(directory, {"box.vtu", "m", vertices, 0, cells, {}});
+    const std::vector<store::NamedGroup> groups{{store::Group::Of::faces, "wall", {0, 1, 2}}};
+    writer.add_mesh(mesh, identity(vertices), identity(cells), groups, {vertex_numbers, cell_numbers});
+    for (double& at : places) at *= 1.01;
+    const std::size_t moved = writer.add_coordinates(0, places);
+    std::vector<double> p(vertices), c(cells), u(3 * vertices);
+    for (std::size_t i = 0; i < u.size(); ++i) u[i] = 0.1 * static_cast<double>(i);
+    std::copy_n(u.begin(), vertices, p.begin());
+    std::copy_n(u.begin(), cells, c.begin());
+    const auto faces = static_cast<std::size_t>(std::ranges::count(mesh.neighbour, none));
+    const std::vector<double> of_faces(faces, 0.1);
+    writer.add_step(0, 0, moved,
+                    std::vector<store::ArrayValues>{{{"p", Association::point, 1, "Pa", ""}, p},
+                                                    {{"U", Association::point, 3, "m/s", ""}, u},
+                                                    {{"cell:p", Association::cell, 1, "Pa", ""}, c},
+                                                    {{"patch:p", Association::boundary_face, 1, "Pa", ""}, of_faces}});
+    writer.finish();
+}
+
+// The files of `data` that are damaged. Paths relative to the dataset.
+std::vector<fs::path> files_of(const Data& data, const fs::path& dataset) {
+    std::vector<fs::path> files = mapped_files_in(dataset);
+    std::erase_if(files, [&](const fs::path& file) {
+        return !data.only.empty() && std::ranges::none_of(data.only, [&](std::string_view part) {
+            return file.string().find(part) != std::string::npos;
+        });
+    });
+    return files;
+}
+
+const std::array<Data, 4> datasets{
     Data{"kinds", "cell:q", write_small_dataset}, // all kinds of cells, files smaller than a page
     Data{"pages", "cell:p", [](const fs::path& directory) { write_box(directory, box(14, 14, 14)); }},
     Data{"format_1", "cell:p",
@@ -38,7 +83,8 @@ const std::array<Data, 3> datasets{
              make_format_1(directory, box(3, 2, 2));
              remove_blocks(directory);
          },
-         true}};
+         true},
+    Data{"further", "cell:p", write_further_files, false, {"/arrays/", "/positions/1", "/solver_"}}};
 
 // Runs `body` in a child process. Returns its result, or how the process ended. The parent has no threads.
 std::string in_child(const std::function<std::string()>& body) {
@@ -152,7 +198,7 @@ TEST_P(mapped_files, damaged_in_place_are_a_sentence_and_nothing_dies) {
               }),
               "");
     unsigned number = 0;
-    for (const fs::path& file : mapped_files_in(folder / "whole.ciel")) {
+    for (const fs::path& file : files_of(data, folder / "whole.ciel")) {
         const fs::path directory = folder / ("case" + std::to_string(++number) + ".ciel");
         fs::copy(folder / "whole.ciel", directory, fs::copy_options::recursive);
         const Algorithm algorithm = number % 2 == 0 ? Algorithm::signatures : Algorithm::propagation;
@@ -171,7 +217,7 @@ std::string name_of_case(const testing::TestParamInfo<std::tuple<std::size_t, Da
 }
 
 INSTANTIATE_TEST_SUITE_P(matrix, mapped_files,
-                         testing::Combine(testing::Values(0U, 1U, 2U),
+                         testing::Combine(testing::Values(0U, 1U, 2U, 3U),
                                           testing::Values(Damage::truncated, Damage::halved, Damage::overwritten,
                                                           Damage::ones, Damage::flipped),
                                           testing::Values(Moment::before_first_touch, Moment::after_first_touch,
@@ -224,7 +270,7 @@ TEST_P(lost_datasets, come_back_when_they_are_restored) {
               }),
               "");
     unsigned number = 0;
-    for (const fs::path& file : mapped_files_in(folder / "whole.ciel")) {
+    for (const fs::path& file : files_of(data, folder / "whole.ciel")) {
         if (!holds_indices(file)) continue; // values in memory are not read again, so their damage is not noticed
         const fs::path directory = folder / ("case" + std::to_string(++number) + ".ciel");
         fs::copy(folder / "whole.ciel", directory, fs::copy_options::recursive);
@@ -233,7 +279,7 @@ TEST_P(lost_datasets, come_back_when_they_are_restored) {
 }
 
 INSTANTIATE_TEST_SUITE_P(kinds, lost_datasets,
-                         testing::Combine(testing::Values(0U, 1U, 2U),
+                         testing::Combine(testing::Values(0U, 1U, 2U, 3U),
                                           testing::Values(Damage::truncated, Damage::overwritten)),
                          [](const auto& row) {
                              return datasets.at(std::get<0>(row.param)).name + "_" + name_of(std::get<1>(row.param));

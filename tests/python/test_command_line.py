@@ -1,12 +1,14 @@
 """Errors of the command line: missing, unknown or excess arguments give one line that says what to do."""
 
 import os
+import pathlib
 import re
 
 import pytest
 
 from program import ciel
 
+ROOT = pathlib.Path(__file__).parents[2]
 COMMANDS = ["import", "info", "append", "demo", "extract", "render", "serve", "bench"]
 
 
@@ -57,6 +59,13 @@ def test_help_is_everywhere_and_names_the_exit_codes():
 
 def test_the_help_of_serve_lists_each_limit_with_its_variable_and_default():
     text = " ".join(ciel("serve", "--help").stdout.split())
+    source = (ROOT / "server/limits/limits.cpp").read_text(encoding="utf-8")
+    names = re.findall(r"^    \{\"(\w+)\", &Limits::\1,", source, re.M)
+    assert len(names) > 40
+    for name in names:
+        option, variable = "--limit-" + name.replace("_", "-"), "CIEL_LIMIT_" + name.upper()
+        kind = r"(COUNT|BYTES|BYTES\|N%|PIXELS|SECONDS)"
+        assert re.search(rf"{option} {kind}(=| \[).+? \(Env:{variable}\) \w", text), name
     # Depending on the release, CLI11 prints a default as =64 or [64].
     assert re.search(r"--limit-sessions COUNT(=64| \[64\]) \(Env:CIEL_LIMIT_SESSIONS\) sessions kept", text)
     assert re.search(r"--limit-message-bytes BYTES(=1 MiB| \[1 MiB\]) \(Env:CIEL_LIMIT_MESSAGE_BYTES\)", text)

@@ -16,7 +16,7 @@ def webclient(tmp_path_factory):
     folder = tmp_path_factory.mktemp("dist")
     (folder / "assets").mkdir()
     (folder / "index.html").write_text("<!doctype html><title>the client</title>")
-    (folder / "assets" / "index-1a2b3c4d.js").write_text("export {};")
+    (folder / "assets" / "index-1a2b3c4d.js").write_text("export {};\n" * 1000)
     (folder.parent / "secret.txt").write_text("secret")
     (folder / "out.txt").symlink_to(folder.parent / "secret.txt")
     return folder
@@ -61,6 +61,20 @@ def test_browsers_keep_hashed_files_and_ask_again_for_the_page(server):
     assert "immutable" in script.headers["Cache-Control"]
     again = server.get("/", headers={"If-None-Match": page.headers["ETag"]})
     assert again.status_code == 304 and again.content == b"" and again.headers["ETag"] == page.headers["ETag"]
+
+
+def test_files_are_compressed_for_who_takes_it(server):
+    path = "/assets/index-1a2b3c4d.js"
+    packed = server.get(path, headers={"Accept-Encoding": "gzip"})
+    plain = server.get(path, headers={"Accept-Encoding": "identity"})
+    assert packed.headers["Content-Encoding"] == "gzip" and "Content-Encoding" not in plain.headers
+    assert int(packed.headers["Content-Length"]) < int(plain.headers["Content-Length"]) / 10
+    assert packed.text == plain.text == "export {};\n" * 1000
+    assert packed.headers["ETag"] != plain.headers["ETag"]
+    for answer in (packed, plain):
+        assert "Accept-Encoding" in answer.headers["Vary"]
+    again = server.get(path, headers={"Accept-Encoding": "gzip", "If-None-Match": packed.headers["ETag"]})
+    assert again.status_code == 304
 
 
 def test_links_do_not_lead_out_of_the_client(server):

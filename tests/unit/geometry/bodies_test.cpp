@@ -8,8 +8,9 @@ namespace {
 
 const BoundingBox domain{{-5, -4, 0}, {15, 4, 8}};
 
-MeasuredPatch patch(const std::string& name, const BoundingBox& box, double area, std::size_t faces) {
-    return {name, box, area, faces};
+MeasuredPatch patch(const std::string& name, const BoundingBox& box, double area, std::size_t faces,
+                    const std::string& type = {}) {
+    return {name, box, area, faces, type};
 }
 
 std::vector<std::string> chosen(const std::vector<MeasuredPatch>& patches, const BoundingBox& of = domain) {
@@ -45,6 +46,16 @@ TEST(bodies, are_not_what_something_flows_through) {
         EXPECT_THAT(chosen(tunnel_with(patch(name, inside, 1, 1000))), testing::IsEmpty()) << name;
     for (const char* name : {"dynamicWall", "Amiral", "back", "defaultFaces"})
         EXPECT_THAT(chosen(tunnel_with(patch(name, inside, 1, 1000))), testing::ElementsAre(name));
+}
+
+TEST(bodies, are_the_walls_where_the_solver_tells_types) {
+    const BoundingBox inside{{0, -1, 1}, {1, 1, 2}};
+    std::vector<MeasuredPatch> patches = tunnel;
+    for (MeasuredPatch& side : patches) side.type = side.name == "lowerWall" ? "wall" : "patch";
+    patches.push_back(patch("outletGuideVane", inside, 1, 1000, "wall")); // by its name it would be an outlet
+    patches.push_back(patch("heatedInletPipe", inside, 1, 1000, "mappedWall"));
+    patches.push_back(patch("obstacle", inside, 1, 1000, "patch")); // by its name it would be a body
+    EXPECT_THAT(chosen(patches), testing::ElementsAre("outletGuideVane", "heatedInletPipe"));
 }
 
 TEST(bodies, reach_from_side_to_side) {

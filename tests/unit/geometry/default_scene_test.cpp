@@ -55,6 +55,51 @@ TEST_F(default_scene_of, a_body_is_the_body_with_pressure_and_a_slice_with_speed
     EXPECT_GT(drawn->triangles, 20U);
 }
 
+TEST_F(default_scene_of, pressure_and_velocity_are_known_by_their_names) {
+    test::write_small_dataset(box());
+    const auto vertices = store::Dataset::open(box())->info().meshes[0].vertices;
+    std::vector<float> scalar, vector;
+    for (std::size_t i = 0; i < 3 * vertices; ++i) (i < vertices ? scalar : vector).push_back(static_cast<float>(i));
+    vector.resize(3 * vertices, 0.5F);
+    auto writer = store::Writer::append(box());
+    using store::Association;
+    const std::vector<store::ArrayValues> values{{{"Gradient", Association::point, 3, "", ""}, vector},
+                                                 {{"Velocity", Association::point, 3, "m/s", ""}, vector},
+                                                 {{"density", Association::point, 1, "", ""}, scalar},
+                                                 {{"staticPressure", Association::point, 1, "Pa", ""}, scalar}};
+    writer.add_step(3, 0, 0, values);
+    writer.finish();
+    const auto layers = shown().document["layers"];
+    EXPECT_EQ(layers["surface"]["color"]["array"], "staticPressure");
+    EXPECT_EQ(layers["slice"]["color"]["array"], "Velocity:magnitude");
+}
+
+TEST_F(default_scene_of, one_layer_of_cells_is_seen_from_above_as_a_slice) {
+    const test::Polyhedra input = test::hexahedra({{6, 5, 1}});
+    const Assembled assembled = assemble(test::view(input));
+    std::vector<Index> faces;
+    for (Index face = 0; face < assembled.mesh.owner.size(); ++face)
+        if (assembled.mesh.neighbour[face] == none) faces.push_back(face);
+    std::vector<float> p;
+    for (std::size_t i = 0; i < assembled.mesh.positions.size(); i += 3) p.push_back(assembled.mesh.positions[i]);
+    for (const char* type : {"empty", "wedge", "patch"}) {
+        store::NamedGroup group{store::Group::Of::faces, "frontAndBack", faces};
+        group.facts.type = type;
+        store::Writer writer(box(), {"a generator", "m", input.vertex_count(), 0, input.cell_count(), {}}, true);
+        writer.add_mesh(assembled.mesh, assembled.original_vertex, assembled.original_cell, std::vector{group});
+        writer.add_step(0, 0, 0,
+                        std::vector<store::ArrayValues>{{{"p", store::Association::point, 1, "Pa", "pressure"}, p}});
+        writer.finish();
+        const auto document = shown().document;
+        const bool is_thin = std::string(type) != "patch";
+        EXPECT_EQ(document["layers"].contains("iso"), !is_thin) << type;
+        if (!is_thin) continue;
+        EXPECT_EQ(document["layers"]["slice"]["axis"], "z") << type;
+        const auto &at = document["camera"]["position"], &target = document["camera"]["target"];
+        EXPECT_TRUE(at[0] == target[0] && at[1] == target[1] && at[2] > target[2]) << type << ": not from above";
+    }
+}
+
 TEST_F(default_scene_of, a_run_that_blew_up_is_the_last_step_before_that) {
     test::write_small_dataset(box());
     const auto vertices = store::Dataset::open(box())->info().meshes[0].vertices;

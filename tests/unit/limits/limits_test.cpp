@@ -26,6 +26,21 @@ std::string problem(std::string_view name, std::string_view text) {
     return {};
 }
 
+TEST(Limits, what_a_server_without_options_grants) {
+    const Limits limits;
+    EXPECT_EQ(limits.reserved_connections, 32U);
+    EXPECT_EQ(limits.head_seconds, 5U);
+    EXPECT_EQ(limits.wrong_token_seconds, 1U);
+    EXPECT_EQ(limits.wrong_tokens_waiting, 16U);
+    EXPECT_EQ(limits.scene_bytes, 1U << 20);
+    EXPECT_EQ(limits.history_bytes, 8U << 20);
+    EXPECT_EQ(limits.batch_answer_bytes, 64U << 20);
+    EXPECT_EQ(limits.unsent_bytes, 32U << 20);
+    EXPECT_EQ(limits.upload_piece_bytes, 512U << 10);
+    EXPECT_EQ(limits.upload_idle_seconds, 60U);
+    EXPECT_EQ(limits.drain_seconds, 1U);
+}
+
 TEST(Limits, each_member_has_one_row_with_a_name_of_its_own_and_a_default_in_its_range) {
     Limits limits;
     std::set<std::string_view> names;

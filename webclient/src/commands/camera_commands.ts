@@ -19,6 +19,9 @@ const NOTHING_THERE =
   "Nothing is drawn at the cursor. Double-click a surface to center the view on it. Press R to show everything that is drawn, or Shift-R to show the whole bounding box";
 
 export class CameraCommands {
+  /** Turns that wait until the center of the orbit is known. */
+  private waiting = { dx: 0, dy: 0, gesture: "" };
+
   constructor(
     private readonly deps: Deps,
     private readonly probe: (x: number, y: number) => Promise<Vec3 | null | undefined>,
@@ -61,16 +64,26 @@ export class CameraCommands {
   turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
     const { css } = this.deps.server.size;
     if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
-    this.change((camera) => orbit(camera, dx, dy, css, this.pivotOf(camera)), gesture);
+    this.turn(dx, dy, gesture);
   }
 
   /** Starts an orbit about the surface point at (x, y). The coordinates are CSS pixels of the canvas. */
   turnsAbout(x: number, y: number): void {
-    this.deps.view.pivot.seek(x, y);
+    this.deps.view.pivot.seek(x, y, () => this.turnNow());
   }
 
-  pivotOf(camera: FullCamera): Vec3 {
-    return this.deps.view.pivot.of(camera);
+  /** Orbits by (dx, dy) CSS pixels, as soon as the center of the orbit is known. */
+  turn(dx: number, dy: number, gesture: string): void {
+    this.waiting = { dx: this.waiting.dx + dx, dy: this.waiting.dy + dy, gesture };
+    if (!this.deps.view.pivot.isSought) this.turnNow();
+  }
+
+  private turnNow(): void {
+    const { dx, dy, gesture } = this.waiting;
+    this.waiting = { dx: 0, dy: 0, gesture: "" };
+    if (dx === 0 && dy === 0) return;
+    const { css } = this.deps.server.size;
+    this.change((camera) => orbit(camera, dx, dy, css, this.deps.view.pivot.of(camera)), gesture);
   }
 
   reset(wholeBox = false): void {

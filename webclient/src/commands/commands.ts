@@ -56,8 +56,8 @@ export class Commands {
       zoomed: (now, factor, x, y) => camera.zoomed(now, factor, x, y),
       move: (next, gesture) => camera.set(next, gesture),
       newGesture: () => this.newGesture(),
-      turns: (x, y) => camera.turnsAbout(x, y),
-      pivot: (now) => camera.pivotOf(now),
+      turnsAbout: (x, y) => camera.turnsAbout(x, y),
+      turn: (dx, dy, gesture) => camera.turn(dx, dy, gesture),
       click: (x, y) => void probe.at(x, y),
       doubleClick: (x, y) => void camera.centreOn(x, y),
     });

@@ -1,6 +1,5 @@
 // Converts pointer, wheel and touch events on the canvas to camera moves.
-import { orbit, pan, roll, type FullCamera, type Size } from "../model/camera";
-import type { Vec3 } from "../model/vector";
+import { pan, roll, type FullCamera, type Size } from "../model/camera";
 
 export interface GestureTarget {
   camera(): FullCamera | null;
@@ -10,8 +9,10 @@ export interface GestureTarget {
   /** Moves the camera. `gesture` is the same name from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
-  turns(x: number, y: number): void;
-  pivot(camera: FullCamera): Vec3;
+  /** Begins an orbit about what is at pixel (x, y). */
+  turnsAbout(x: number, y: number): void;
+  /** Orbits by (dx, dy) CSS pixels. */
+  turn(dx: number, dy: number, gesture: string): void;
   click(x: number, y: number): void;
   doubleClick(x: number, y: number): void;
 }
@@ -75,7 +76,7 @@ class Gestures {
       this.gesture = this.target.newGesture();
       this.travelled = 0;
       const { x, y } = this.at(event);
-      if (this.drag === "orbit") this.target.turns(x, y);
+      if (this.drag === "orbit") this.target.turnsAbout(x, y);
     } else {
       this.travelled = Infinity; // a gesture of two fingers is never a click
     }
@@ -95,16 +96,17 @@ class Gestures {
     const camera = this.target.camera();
     if (camera === null || this.travelled < CLICK_SLOP) return;
     const [other] = others;
+    if (other === undefined && this.drag === "orbit") {
+      this.target.turn(now.x - before.x, now.y - before.y, this.gesture);
+      return;
+    }
     const next = other === undefined ? this.dragged(camera, before, now) : this.pinched(camera, before, now, other);
     this.target.move(next, this.gesture);
   }
 
   private dragged(camera: FullCamera, before: Finger, now: Finger): FullCamera {
     const size = this.target.size();
-    const dx = now.x - before.x;
-    const dy = now.y - before.y;
-    if (this.drag === "orbit") return orbit(camera, dx, dy, size, this.target.pivot(camera));
-    if (this.drag === "pan") return pan(camera, dx, dy, size);
+    if (this.drag === "pan") return pan(camera, now.x - before.x, now.y - before.y, size);
     const angle = ({ x, y }: Finger): number => Math.atan2(y - size.height / 2, x - size.width / 2);
     return roll(camera, angle(before) - angle(now));
   }

@@ -1,0 +1,117 @@
+// Turns wait until the server has told the center of the orbit, but not for long.
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { CameraCommands } from "../src/commands/camera_commands";
+import type { Deps } from "../src/commands/deps";
+import type { FullCamera } from "../src/model/camera";
+import type { Vec3 } from "../src/generated/protocol";
+import type { Server } from "../src/server/server";
+import { Pivot, PIVOT_PATIENCE_MS } from "../src/view/pivot";
+
+type Picked = { position: Vec3 | null; centre: Vec3 | null };
+
+const camera = { position: [0, -6, 0], target: [0, 60, 0], up: [0, 0, 1], fov: 30 };
+
+function page(isConnected = true): {
+  commands: CameraCommands;
+  moves: { camera: FullCamera; gesture?: string }[];
+  answer: (picked: Picked) => Promise<void>;
+  refuse: () => Promise<void>;
+} {
+  const moves: { camera: FullCamera; gesture?: string }[] = [];
+  const calls: { resolve: (picked: Picked) => void; reject: (error: Error) => void }[] = [];
+  const scene = { value: { dataset: "bar", camera }, peek: () => scene.value };
+  const model = { scene, description: { value: undefined, peek: () => undefined } };
+  const change = (patch: { camera: FullCamera }, gesture?: string): void => {
+    moves.push({ camera: patch.camera, gesture });
+    scene.value = { ...scene.value, camera: patch.camera };
+  };
+  const server = {
+    model,
+    editor: { isConnected, change },
+    session: { call: () => new Promise<Picked>((resolve, reject) => calls.push({ resolve, reject })) },
+    size: { css: { width: 600, height: 600 }, pixels: () => ({ width: 600, height: 600 }) },
+    tab: { id: "a" },
+  } as unknown as Server;
+  const deps = { model, server, view: { pivot: new Pivot(server) } } as unknown as Deps;
+  const newest = (): (typeof calls)[number] => calls.at(-1) ?? { resolve: vi.fn(), reject: vi.fn() };
+  return {
+    commands: new CameraCommands(deps, () => Promise.resolve(null)),
+    moves,
+    answer: async (picked) => {
+      newest().resolve(picked);
+      await Promise.resolve();
+    },
+    refuse: async () => {
+      newest().reject(new Error("no"));
+      await Promise.resolve();
+      await Promise.resolve();
+    },
+  };
+}
+
+const distance = (a: readonly number[], b: readonly number[]): number =>
+  Math.hypot(...a.map((value, i) => value - (b[i] ?? 0)));
+
+describe("a turn", () => {
+  beforeEach(() => vi.useFakeTimers());
+  afterEach(() => vi.useRealTimers());
+
+  test("waits for the center and is then made whole, about it", async () => {
+    const { commands, moves, answer } = page();
+    commands.turnsAbout(300, 300);
+    commands.turn(20, 0, "g");
+    commands.turn(30, 5, "g");
+    expect(moves).toEqual([]);
+    await answer({ position: [0, 0, 0], centre: null });
+    expect(moves).toHaveLength(1);
+    expect(moves[0]?.gesture).toBe("g");
+    expect(distance(moves[0]?.camera.position ?? [], [0, 0, 0])).toBeCloseTo(6);
+    commands.turn(10, 0, "g");
+    expect(moves).toHaveLength(2);
+    expect(distance(moves[1]?.camera.position ?? [], [0, 0, 0])).toBeCloseTo(6);
+    vi.advanceTimersByTime(10 * PIVOT_PATIENCE_MS);
+    expect(moves).toHaveLength(2);
+  });
+
+  test("is about the target if the answer is late, and about the center after it", async () => {
+    const { commands, moves, answer } = page();
+    commands.turnsAbout(300, 300);
+    commands.turn(20, 0, "g");
+    vi.advanceTimersByTime(PIVOT_PATIENCE_MS - 1);
+    expect(moves).toEqual([]);
+    vi.advanceTimersByTime(1);
+    expect(distance(moves[0]?.camera.position ?? [], [0, 60, 0])).toBeCloseTo(66);
+    const before = moves[0]?.camera.position ?? [];
+    await answer({ position: null, centre: [1, 2, 3] });
+    expect(moves).toHaveLength(1);
+    commands.turn(20, 0, "g");
+    expect(distance(moves[1]?.camera.position ?? [], [1, 2, 3])).toBeCloseTo(distance(before, [1, 2, 3]));
+  });
+
+  test("is about the target at once if the server refuses, or is away", async () => {
+    const { commands, moves, refuse } = page();
+    commands.turnsAbout(300, 300);
+    commands.turn(20, 0, "g");
+    await refuse();
+    expect(distance(moves[0]?.camera.position ?? [], [0, 60, 0])).toBeCloseTo(66);
+    const away = page(false);
+    away.commands.turnsAbout(300, 300);
+    away.commands.turn(20, 0, "g");
+    expect(away.moves).toHaveLength(1);
+  });
+
+  test("by a key waits too; an older answer does not count", async () => {
+    const { commands, moves, answer } = page();
+    commands.turnBy(20, 0, "a", true);
+    expect(moves).toEqual([]);
+    await answer({ position: [0, 0, 0], centre: null });
+    expect(moves).toHaveLength(1);
+    commands.turnBy(20, 0, "a", false);
+    expect(moves).toHaveLength(2);
+    commands.turnsAbout(1, 1);
+    commands.turnsAbout(2, 2);
+    commands.turn(20, 0, "b");
+    await answer({ position: [0, 0, 0], centre: null });
+    expect(moves.map(({ gesture }) => gesture)).toEqual(["a", "a", "b"]);
+  });
+});
