@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import shutil
 
 import numpy as np
@@ -471,3 +472,17 @@ def test_text_grows_with_its_scale(box, tmp_path):
         rows = np.flatnonzero((np.abs(pixels(tmp_path / "p.png") - pixels(tmp_path / "plain.png")).max(axis=2) > 100).any(axis=1))
         heights.append(rows.max() - rows.min() + 1)
     assert heights[1] == pytest.approx(2 * heights[0], abs=2)
+
+
+def test_a_lack_of_memory_is_a_sentence(tmp_path):
+    demo = tmp_path / "demo.ciel"
+    assert ciel("demo", "--coarseness", 2, "-o", demo).returncode == 0
+    levels = ",".join(f"{0.1 + 0.013 * i:.3f}" for i in range(64))
+    said = []
+    for megabytes in (110, 130, 150, 170):
+        limit = (megabytes << 20, megabytes << 20)
+        result = ciel("extract", demo, "--iso", f"tracer={levels}", "-o", tmp_path / "out.vtp",
+                      preexec_fn=lambda limit=limit: resource.setrlimit(resource.RLIMIT_AS, limit))
+        assert result.returncode in (0, 1) and "std::" not in result.stderr, (megabytes, result)
+        said.append(result.stderr)
+    assert any("does not have enough memory" in text for text in said), said
