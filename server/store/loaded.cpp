@@ -86,8 +86,8 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    // A slice that turns needs another plane for each picture, and earlier planes are rarely needed again.
-    static constexpr std::size_t most_planes = 4;
+    // A slice that turns needs another plane for each picture. The layers hold the planes that are shown.
+    static constexpr std::size_t most_planes = 1;
 
     State(std::shared_ptr<Dataset> first, std::size_t budget, AskForStep asking)
         : dataset(std::move(first)), ask(std::move(asking)), most_fit_bytes(budget / 4), fields(budget / 4 * 3),
