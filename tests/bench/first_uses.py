@@ -28,15 +28,26 @@ def uses_of(name, array, bounds):
         return "picture.render", {"scene": {"dataset": name, "layers": {"a": layer}}, "width": 640, "height": 360}
 
     color = {"array": array}
+    iso = {"type": "iso", "array": array, "values": [0.5], "color": color}
+    oblique = {"type": "slice", "origin": middle, "normal": [0.5, 0.3, 0.8], "color": color}
+    clip = {"type": "clip", "origin": middle, "normal": [1, 0.2, 0], "caps": True}
+    clipped = {"dataset": name, "layers": {"a": {"type": "surface", "color": color}, "clip": clip}}
     return {
         "describe": ("dataset.describe", {"dataset": name}),
         "histogram": ("dataset.histogram", {"dataset": name, "array": array, "bins": 128}),
         "histogram of a part": ("dataset.histogram", {"dataset": name, "array": array, "bins": 128, "range": [0.2, 0.7]}),
         "probe": ("probe.point", {"scene": {"dataset": name}, "position": middle}),
         "slice": picture({"type": "slice", "axis": "x", "value": middle[0], "color": color}),
+        "iso-surface": picture(iso),
+        "free slice": picture(oblique),
+        "contour lines": picture({**oblique, "contours": {"array": array, "values": [0.3, 0.5]}}),
         "boundary": picture({"type": "surface", "color": color}),
+        "clip with a cap": ("picture.render", {"scene": clipped, "width": 640, "height": 360}),
         "edges": picture({"type": "edges"}),
+        "points": picture({"type": "points", "color": color}),
+        "points inside": picture({"type": "points", "of": "all", "threshold": {"array": array, "range": [0.5, 0.51]}}),
         "threshold": picture({"type": "surface", "threshold": {"array": array, "range": [0.5, 0.6]}, "color": color}),
+        "export": ("surface.export", {"scene": {"dataset": name, "layers": {"a": iso}}, "layer": "a", "format": "vtp"}),
         "volume": picture({"type": "volume", "array": array}),
     }
 
