@@ -16,3 +16,6 @@ def test_the_client_installs_without_a_network_and_brings_its_types(tmp_path):
         " ciel_client.Client('http://127.0.0.1:1').picture_render.__doc__)", cwd=tmp_path
     )  # fmt: skip
     assert said.startswith("True Draws one lossless picture"), said
+    code = "import importlib.metadata, ciel_client; print(importlib.metadata.version('ciel-client'), ciel_client.__version__)"
+    version = (ROOT / "server/ciel/version.txt").read_text().strip()
+    assert run(program, "-c", code, cwd=tmp_path).split() == [version, version]

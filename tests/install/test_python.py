@@ -331,6 +331,11 @@ def test_examples_run(python, script):
     assert "triangles" in out or "area" in out
 
 
+def test_the_version_is_that_of_the_project(python):
+    said = run(python, "-c", "import ciel_mesh; print(ciel_mesh.__version__)")
+    assert said.strip() == (ROOT / "server/ciel/version.txt").read_text().strip()
+
+
 def test_the_types_are_there(python):
     code = "import ciel_mesh, pathlib; p = pathlib.Path(ciel_mesh.__file__).parent; print((p / 'py.typed').exists())"
     assert run(python, "-c", code).strip() == "True"
