@@ -56,7 +56,7 @@ void limit(int resource, rlim_t value) {
     ::sigprocmask(SIG_SETMASK, &none_blocked, nullptr);
     ::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC); // the sockets of a server, which Asio opens without O_CLOEXEC
     limit(RLIMIT_CORE, 0);
-    if (limits.memory_bytes > 0) limit(RLIMIT_AS, limits.memory_bytes);
+    if (limits.memory_bytes > 0) limit(RLIMIT_DATA, limits.memory_bytes);
     ::execv(arguments[0], arguments);
     ::_exit(could_not_start);
 }

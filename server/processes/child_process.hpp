@@ -11,7 +11,7 @@
 namespace server::processes {
 
 struct ChildLimits {
-    std::uint64_t memory_bytes = 0; // limit of the address space; 0: no limit
+    std::uint64_t memory_bytes = 0; // limit of private writable memory, without mapped files; 0: no limit
     double seconds = 0;             // limit of the wall-clock time; 0: no limit
     // Limit of the wall-clock time without progress: no line of output, and no byte read or written. 0: no limit.
     double stalled_seconds = 0;

@@ -177,9 +177,17 @@ void append_after(const std::filesystem::path& file, std::uint64_t size, std::sp
 
 NewFile::NewFile(const std::filesystem::path& file) : path_(file), out_(create(file)) {}
 
+// Memory pages that are not on the disk yet count in the memory of the process's control group, and cannot be
+// reclaimed. So at most two stretches of each file are on their way. The flush at the end reports failures.
 void NewFile::append(std::span<const std::byte> bytes) {
+    constexpr std::uint64_t stretch = 32 << 20;
     write_all(out_, path_, bytes);
     size_ += bytes.size();
+    if (size_ - sent_ < stretch) return;
+    const std::uint64_t begin = sent_ < stretch ? 0 : sent_ - stretch;
+    ::sync_file_range(out_.get(), static_cast<off64_t>(begin), static_cast<off64_t>(size_ - begin),
+                      SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE);
+    sent_ = size_;
 }
 
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {

@@ -86,6 +86,7 @@ private:
     std::filesystem::path path_;
     Descriptor out_;
     std::uint64_t size_ = 0;
+    std::uint64_t sent_ = 0; // bytes whose way to the disk has begun
 };
 
 // Thread-safe. Reads the file that was opened, even if the path is later renamed, deleted or given to another file.

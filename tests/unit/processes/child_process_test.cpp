@@ -90,6 +90,14 @@ TEST(ChildProcess, the_memory_limit_holds) {
     EXPECT_THAT(end.errors, ::testing::HasSubstr("MemoryError"));
 }
 
+// A large dataset is mapped to be checked after its import. Mapped files are not memory of the process.
+TEST(ChildProcess, what_is_mapped_to_be_read_does_not_count_as_memory) {
+    const auto end = shell("exec /usr/bin/python3 -c 'import mmap; m = mmap.mmap(-1, 1 << 30, flags=mmap.MAP_PRIVATE, "
+                           "prot=mmap.PROT_READ); print(m[0])'",
+                           {512U << 20, 0});
+    EXPECT_EQ(end.exit_code, 0) << end.errors;
+}
+
 TEST(ChildProcess, an_exception_of_the_listener_ends_the_child) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_THROW((void)shell("echo go; exec sleep 600", {}, [](std::string_view) { throw Error("enough"); }), Error);
