@@ -49,6 +49,15 @@ describe("framing", { skip }, () => {
       for (let x = 0; x < picture.width; x += 4) if (Math.min(...picture.at(x, y)) > 100) count += 1;
     return count / ((picture.width / 4) * (picture.height / 4));
   };
+  const middleOf = async (client: Client): Promise<[number, number]> => {
+    const box = await client.canvas.boundingBox();
+    return [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+  };
+  /** Near the end of the bar at x = 40. The target is far behind the bar. */
+  const besideTheEnd = {
+    camera: { position: [39.5, -6, 0.5], target: [39.5, 60, 0.5], up: [0, 0, 1] },
+    layers: { all: { type: "surface", groups: ["bar_39-front"] } },
+  };
   const press = async (client: Client, key: string): Promise<void> => {
     client.patches.length = 0;
     await client.page.keyboard.press(key);
@@ -75,12 +84,9 @@ describe("framing", { skip }, () => {
   });
 
   test("a turn beside a body that is not the target keeps it in the window, about what is under the cursor", async () => {
-    // The camera is near the end of the bar at x = 40. Its target is far behind the bar.
-    const camera = { position: [39.5, -6, 0.5], target: [39.5, 60, 0.5], up: [0, 0, 1] };
-    const client = await open({ camera, layers: { all: { type: "surface", groups: ["bar_39-front"] } } });
+    const client = await open(besideTheEnd);
     const before = await lit(client);
-    const box = await client.canvas.boundingBox();
-    const middle: [number, number] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+    const middle = await middleOf(client);
     await client.page.mouse.move(...middle);
     await client.page.mouse.down();
     await client.page.waitForTimeout(500); // time for the server to find the pivot
@@ -98,11 +104,9 @@ describe("framing", { skip }, () => {
   });
 
   test("a turn that begins before the server has told the center keeps the body in the window too", async () => {
-    const camera = { position: [39.5, -6, 0.5], target: [39.5, 60, 0.5], up: [0, 0, 1] };
-    const client = await open({ camera, layers: { all: { type: "surface", groups: ["bar_39-front"] } } });
+    const client = await open(besideTheEnd);
     const before = await lit(client);
-    const box = await client.canvas.boundingBox();
-    const middle: [number, number] = [(box?.x ?? 0) + (box?.width ?? 0) / 2, (box?.y ?? 0) + (box?.height ?? 0) / 2];
+    const middle = await middleOf(client);
     await client.drag(middle, [middle[0] + 120, middle[1] + 40], 12);
     await client.settled();
     await client.keep("turned-at-once");
@@ -111,8 +115,7 @@ describe("framing", { skip }, () => {
   });
 
   test("beside everything it turns about the middle of what is seen", async () => {
-    const camera = { position: [39.5, -6, 0.5], target: [39.5, 60, 0.5], up: [0, 0, 1] };
-    const client = await open({ camera, layers: { all: { type: "surface", groups: ["bar_39-front"] } } });
+    const client = await open(besideTheEnd);
     const box = await client.canvas.boundingBox();
     const corner: [number, number] = [(box?.x ?? 0) + 40, (box?.y ?? 0) + 40];
     await client.page.mouse.move(...corner);
