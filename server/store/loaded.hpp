@@ -34,7 +34,7 @@ public:
 };
 
 // Thread-safe. Three quarters of `field_budget_bytes` are for a least-recently-used cache of fields. One quarter is for
-// a cache of the last plane. In addition, the fits of gradients (CellFits) may use as much memory as the planes.
+// the last plane. In addition, the fits of gradients (CellFits) may use another quarter.
 class LoadedDataset {
 public:
     // `ask`: called before NotYetRead is thrown; may be empty.
