@@ -3,7 +3,7 @@ import { render } from "preact";
 import { Commands } from "./commands/commands";
 import layoutModule from "./generated/annotations.wasm?url";
 import { Links } from "./commands/links";
-import { savedStream, savedTheme, tabSession } from "./commands/preferences";
+import { savedSteps, savedStream, savedTheme, saveSteps, tabSession } from "./commands/preferences";
 import { CanvasSize } from "./model/canvas_size";
 import { makeModel } from "./model/model";
 import { PageContext } from "./panels/context";
@@ -23,7 +23,8 @@ import { startLayoutModule } from "./wasm/layout_module";
 hideToken();
 const model = makeModel({ theme: savedTheme(), streamChoice: savedStream() });
 const links = new Links(model, () => server);
-const server: Server = new Server(model, new CanvasSize(model.canvasSize), tabSession(), {
+const tab = tabSession();
+const server: Server = new Server(model, new CanvasSize(model.canvasSize), tab, {
   background: () => commands.page.background(),
   link: () => links.first,
   frames: () => view.presenter,
@@ -53,6 +54,10 @@ async function start(root: HTMLElement): Promise<void> {
     root,
   );
 }
+
+// The server may restart while the page is reloaded, and then knows no steps.
+server.editor.restoreSteps(savedSteps(tab.id));
+window.addEventListener("pagehide", () => saveSteps(tab.id, server.editor.stepsAsText()));
 
 const root = document.getElementById("app");
 if (root !== null) void start(root);

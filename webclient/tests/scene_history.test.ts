@@ -51,6 +51,33 @@ describe("scene history", () => {
     expect(redone(at(1))).toEqual([at(2), at(3)]);
   });
 
+  test("a reloaded page has the steps of the page before", () => {
+    for (const time of [1, 2, 3]) history.changed({ time }, `g${String(time)}`);
+    history.moved("undo", at(2));
+    const text = history.asText();
+    history = new SceneHistory();
+    history.restore(text);
+    expect(undone(at(2))).toEqual([at(1), at(0)]);
+    expect(redone(at(2))).toEqual([at(3)]);
+    history.found(at(2)); // the session has gone on without a change
+    expect(undone(at(2))).toEqual([at(1), at(0)]);
+    history.found(at(9));
+    expect(undone(at(9))).toEqual([at(2), at(1), at(0)]);
+  });
+
+  test.each(["", "{", "null", "1", "{}", '{"scene":{"dataset":"d"},"undo":null,"redo":[]}'])(
+    "%j is not taken for the steps of a page",
+    (text) => {
+      history.restore(text);
+      expect(undone(at(0))).toEqual([]);
+      expect(history.accepted).toEqual(at(0));
+    },
+  );
+
+  test("a page without a session has no steps to store", () => {
+    expect(new SceneHistory().asText()).toBe("");
+  });
+
   test("changes of others in a row are one step", () => {
     history.changed({ time: 1 }, "mine");
     for (const time of [2, 3]) history.found(at(time));

@@ -1,9 +1,11 @@
-// Settings stored in the browser: the theme and the stream permanently, the session until the tab is closed.
+// Settings stored in the browser: the theme and the stream permanently, the session with its undo steps until the tab is
+// closed.
 import { decodeSession, encodeSession } from "../model/link";
 import type { StreamChoice, Theme } from "../model/state";
 
 const THEME = "ciel.theme";
 const SESSION = "ciel.session";
+const STEPS = "ciel.steps";
 const STREAM = "ciel.stream";
 
 function read(storage: () => Storage, key: string): string | null {
@@ -51,6 +53,14 @@ export function tabSession(): { id: string; known: boolean } {
   write(tab, SESSION, id);
   return { id, known: false };
 }
+
+/** Text of this session's undo steps that saveSteps() stored before a reload of the page; empty if there is none. */
+export function savedSteps(session: string): string {
+  const saved = read(tab, STEPS) ?? "";
+  return saved.startsWith(`${session} `) ? saved.slice(session.length + 1) : "";
+}
+
+export const saveSteps = (session: string, text: string): void => write(tab, STEPS, `${session} ${text}`);
 
 export function isDark(theme: Theme): boolean {
   return theme === "dark" || (theme === "system" && matchMedia("(prefers-color-scheme: dark)").matches);

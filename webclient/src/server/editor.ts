@@ -107,6 +107,16 @@ export class SceneEditor {
     return this.history.around(scene);
   }
 
+  /** The server's scene and the steps around it, for restoreSteps() of a reloaded page. Empty before a session. */
+  stepsAsText(): string {
+    return this.history.asText();
+  }
+
+  /** Call before the first connected(). */
+  restoreSteps(text: string): void {
+    this.history.restore(text);
+  }
+
   /** All changes with one gesture name are one undo step. */
   newGesture(): string {
     return `${this.name}-${++this.gestures}`;

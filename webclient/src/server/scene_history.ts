@@ -67,6 +67,19 @@ export class SceneHistory {
     return fitting({ undo: [diff(begun, this.scene), ...this.steps.undo], redo: [] }, begun);
   }
 
+  /** Text for restore(). Empty before a session. */
+  asText(): string {
+    return this.scene === null ? "" : JSON.stringify({ scene: this.scene, ...fitting(this.steps, this.scene) });
+  }
+
+  /** Call before the first session with the text of an earlier page. Another text is ignored. */
+  restore(text: string): void {
+    const saved = savedIn(text);
+    if (saved === null) return;
+    this.scene = saved.scene;
+    this.steps = { undo: saved.undo, redo: saved.redo };
+  }
+
   forget(): void {
     this.scene = null;
     this.steps = { undo: [], redo: [] };
@@ -84,6 +97,18 @@ export class SceneHistory {
     this.steps = { undo, redo: [] };
     this.gesture = gesture;
     this.scene = next;
+  }
+}
+
+type Saved = { scene: JsonObject } & Steps;
+
+function savedIn(text: string): Saved | null {
+  try {
+    const { scene, undo, redo } = JSON.parse(text) as Partial<Saved>;
+    const isWhole = typeof scene === "object" && Array.isArray(undo) && Array.isArray(redo);
+    return isWhole ? { scene, undo, redo } : null;
+  } catch {
+    return null;
   }
 }
 
