@@ -14,6 +14,7 @@ const camera = { position: [0, -6, 0], target: [0, 60, 0], up: [0, 0, 1], fov: 3
 function page(isConnected = true): {
   commands: CameraCommands;
   moves: { camera: FullCamera; gesture?: string }[];
+  choose: (dataset: string) => void;
   answer: (picked: Picked) => Promise<void>;
   refuse: () => Promise<void>;
 } {
@@ -37,6 +38,9 @@ function page(isConnected = true): {
   return {
     commands: new CameraCommands(deps, () => Promise.resolve(null)),
     moves,
+    choose: (dataset) => {
+      scene.value = { ...scene.value, dataset };
+    },
     answer: async (picked) => {
       newest().resolve(picked);
       await Promise.resolve();
@@ -98,6 +102,17 @@ describe("a turn", () => {
     away.commands.turnsAbout(300, 300);
     away.commands.turn(20, 0, "g");
     expect(away.moves).toHaveLength(1);
+  });
+
+  test("that waits is dropped when another dataset is chosen", async () => {
+    const { commands, moves, choose, answer } = page();
+    commands.turnsAbout(300, 300);
+    commands.turn(20, 0, "g");
+    choose("foo");
+    await answer({ position: [0, 0, 0], centre: null });
+    expect(moves).toEqual([]);
+    commands.turn(20, 0, "h");
+    expect(moves.map(({ gesture }) => gesture)).toEqual(["h"]);
   });
 
   test("by a key waits too; an older answer does not count", async () => {

@@ -18,9 +18,18 @@ import type { Deps } from "./deps";
 const NOTHING_THERE =
   "Nothing is drawn at the cursor. Double-click a surface to center the view on it. Press R to show everything that is drawn, or Shift-R to show the whole bounding box";
 
+interface Turn {
+  dataset: string | undefined;
+  dx: number;
+  dy: number;
+  gesture: string;
+}
+
+const NO_TURN: Turn = { dataset: undefined, dx: 0, dy: 0, gesture: "" };
+
 export class CameraCommands {
   /** Turns that wait until the center of the orbit is known. */
-  private waiting = { dx: 0, dy: 0, gesture: "" };
+  private waiting: Turn = NO_TURN;
 
   constructor(
     private readonly deps: Deps,
@@ -74,14 +83,16 @@ export class CameraCommands {
 
   /** Orbits by (dx, dy) CSS pixels, as soon as the center of the orbit is known. */
   turn(dx: number, dy: number, gesture: string): void {
-    this.waiting = { dx: this.waiting.dx + dx, dy: this.waiting.dy + dy, gesture };
+    const dataset = this.dataset();
+    const before = this.waiting.dataset === dataset ? this.waiting : NO_TURN;
+    this.waiting = { dataset, dx: before.dx + dx, dy: before.dy + dy, gesture };
     if (!this.deps.view.pivot.isSought) this.turnNow();
   }
 
   private turnNow(): void {
-    const { dx, dy, gesture } = this.waiting;
-    this.waiting = { dx: 0, dy: 0, gesture: "" };
-    if (dx === 0 && dy === 0) return;
+    const { dataset, dx, dy, gesture } = this.waiting;
+    this.waiting = NO_TURN;
+    if ((dx === 0 && dy === 0) || dataset !== this.dataset()) return; // another dataset was chosen meanwhile
     const { css } = this.deps.server.size;
     this.change((camera) => orbit(camera, dx, dy, css, this.deps.view.pivot.of(camera)), gesture);
   }
@@ -119,6 +130,10 @@ export class CameraCommands {
     }
     const now = this.get();
     if (bounds !== null && now !== null) this.set(server.size.clearOfCorner(view(bounds, now), bounds));
+  }
+
+  private dataset(): string | undefined {
+    return this.deps.model.scene.peek()?.dataset;
   }
 
   private bounds(): Bounds | null {
