@@ -33,8 +33,17 @@ class Client:
                 await self.join(message)
             else:
                 answer = json.loads(message)
-                if answer.get("id") in self.answers:
+                if answer.get("method") == "view.failed":
+                    await self.frames.put(RuntimeError(answer["params"]["message"]))
+                elif answer.get("id") in self.answers:
                     self.answers.pop(answer["id"]).set_result(answer)
+
+    async def next_frame(self):
+        """Returns the time of arrival and the frame. Raises RuntimeError if the server could not draw the scene."""
+        arrived = await self.frames.get()
+        if isinstance(arrived, RuntimeError):
+            raise arrived
+        return arrived
 
     async def join(self, message):
         """Collects pieces. A complete frame is the header of its first piece and the payloads of all."""
@@ -73,7 +82,7 @@ async def sweep(options, port, process):
         opened = time.monotonic()
         state = await client.call("session.open", dataset=name)
         view = (await client.call("view.open", session=state["session"], width=width, height=height))["view"]
-        arrived, message = await client.frames.get()
+        arrived, message = await client.next_frame()
         first_picture = arrived - opened
         await client.ack(view, fields(message)["frame"])
 
@@ -107,7 +116,7 @@ async def sweep(options, port, process):
         await client.call("scene.patch", session=state["session"], patch={"layers": others})
         await asyncio.sleep(1)
         while not client.frames.empty():
-            await client.ack(view, fields((await client.frames.get())[1])["frame"])
+            await client.ack(view, fields((await client.next_frame())[1])["frame"])
 
         cpu_before, started, rows, step = process_cpu(process.pid), time.monotonic(), [], 0
         own_before = memory(process.pid, "RssAnon")
@@ -118,7 +127,7 @@ async def sweep(options, port, process):
             revision = (await client.call("scene.patch", session=state["session"], gesture="drag",
                                           patch=layers(low + (high - low) * share)))["revision"]
             while True:
-                arrived, message = await client.frames.get()
+                arrived, message = await client.next_frame()
                 row = fields(message)
                 await client.ack(view, row["frame"])
                 if row["revision"] >= revision:

@@ -48,7 +48,7 @@ async def opening(options, port, seconds, begin):
         view = (await client.call("view.open", session=session, width=width, height=height))["view"]
         steps = {}
         while "still" not in seconds:
-            _, message = await client.frames.get()
+            _, message = await client.next_frame()
             row = fields(message)
             name = "still" if row["flags"] & STILL else "first frame"
             note(name)

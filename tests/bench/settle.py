@@ -43,7 +43,7 @@ def turned(camera, degrees):
 
 async def frame(client, view, revision, still):
     while True:
-        _, message = await client.frames.get()
+        _, message = await client.next_frame()
         row = fields(message)
         await client.ack(view, row["frame"])
         if row["revision"] >= revision and (row["flags"] & STILL == STILL) == still:
