@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <malloc.h>
 #include <map>
 #include <optional>
 #include <set>
@@ -24,7 +26,8 @@ class Converter {
 public:
     Converter(Source& source, const Options& options, ComponentsOf components)
         : source_(source), options_(options), facts_(options), selection_(options.arrays),
-          arrays_(selection_, source, FieldComponents(std::move(components))) {}
+          folder_(std::filesystem::absolute(options.output).parent_path()),
+          arrays_(selection_, source, FieldComponents(std::move(components)), folder_) {}
 
     // Returns nullopt and writes no dataset if most steps have other components than the chosen components.
     std::optional<ConvertResult> run() {
@@ -101,16 +104,15 @@ private:
         return input_grids;
     }
 
-    const std::vector<store::ArrayValues>& make_arrays(const InputGrids& input_grids) {
+    void make_arrays(const InputGrids& input_grids, const ArraySink& sink) {
         tell(0.8, "making arrays");
         const auto topology = [this]() -> const ciel::Topology& { return writer_->topology(mesh_index_); };
-        const auto& arrays = arrays_.make(step_, mesh_, input_grids, topology, point_maker_);
-        for (const store::ArrayValues& array : arrays) {
-            store::ArrayInfo info = array.info;
-            info.doubles = array.values.has_doubles();
+        const auto know = [&](store::ArrayInfo info, store::Values values) {
+            info.doubles = values.has_doubles();
             known_arrays_.try_emplace(info.name, info);
-        }
-        return arrays;
+            sink(info, std::move(values));
+        };
+        arrays_.make(step_, mesh_, input_grids, topology, point_maker_, know);
     }
 
     // Reads the last step. If it has the mesh of the first one, adds all steps, and those between the two are late.
@@ -136,7 +138,8 @@ private:
         facts.set_mesh(mesh_, print_);
         facts.add_written_step();
         for (const std::string& sentence : source_.lost()) lose(sentence);
-        const auto& arrays = make_arrays(input_grids);
+        CollectedArrays collected; // written after the late steps, whose times are earlier
+        make_arrays(input_grids, std::bind_front(&CollectedArrays::add, &collected));
         std::vector<store::ArrayInfo> infos;
         for (const auto& [name, info] : known_arrays_) infos.push_back(info);
         for (step_ = 1; step_ + 1 < times.size(); ++step_) {
@@ -148,7 +151,7 @@ private:
         }
         tell(0.9, "writing");
         if (is_new_time(times[step_])) {
-            writer_->add_step(times[step_], mesh_index_, coordinates_index_, arrays);
+            writer_->add_step(times[step_], mesh_index_, coordinates_index_, collected.arrays());
             facts.add_written_step();
         }
         if (result_.late_steps > 0) writer_->set_late(facts.stored());
@@ -171,9 +174,11 @@ private:
             writer_ && print.cells == print_.cells && same_mesh(input_grids, print.positions != print_.positions, time);
         if (!is_same && !new_mesh(input_grids, time)) return;
         print_ = print;
-        const auto& arrays = make_arrays(input_grids);
-        tell(0.9, "writing");
-        writer_->add_step(time, mesh_index_, coordinates_index_, arrays);
+        writer_->begin_step(time, mesh_index_, coordinates_index_);
+        make_arrays(input_grids, [this](const store::ArrayInfo& info, const store::Values& values) {
+            writer_->add_values({info, values});
+        });
+        writer_->end_step();
         const std::uint64_t beyond = peak_memory_.bytes() - of_reader;
         if (beyond > result_.memory.beyond) result_.memory = {of_reader, beyond, mesh_.input_cells};
     }
@@ -182,7 +187,7 @@ private:
     bool new_mesh(const InputGrids& input_grids, double time) {
         tell(0.5, "building the mesh");
         try {
-            mesh_ = build_step_mesh(input_grids, options_.weld, difference_across);
+            mesh_ = build_step_mesh(input_grids, options_.weld, difference_across, folder_);
         } catch (const ciel::Error& error) {
             lose_step(time, error.what());
             return false;
@@ -199,6 +204,7 @@ private:
         mesh_index_ = writer_->add_mesh(mesh_.cells->matched, mesh_.boundary, mesh_.point_of_vertex, mesh_.cell_of_cell,
                                         mesh_.groups, {vertices, cells});
         mesh_.cells.reset();
+        ::malloc_trim(0); // malloc would keep the memory of the blocks' parts
         coordinates_index_ = 0;
         mesh_.positions = writer_->positions(mesh_index_, coordinates_index_);
         return true;
@@ -276,6 +282,7 @@ private:
     const Options& options_;
     const SourceFacts facts_; // made before the source is read, so that a later change is noticed
     ArraySelection selection_;
+    const std::filesystem::path folder_; // of large temporary files
     StepArrays arrays_;
     std::optional<store::Writer> writer_;
     StepMesh mesh_;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <iterator>
 #include <numeric>
 
@@ -41,8 +42,9 @@ class LateReader {
 public:
     explicit LateReader(const LateOptions& options)
         : dataset_(store::Dataset::open(options.dataset, store::LackingRanges::left_out, std::nullopt, options.folder)),
-          allow_bad_(options.allow_bad), facts_(dataset_->info().late),
-          writer_(dataset_, options.folder, [] { progress(0, "waiting"); }), selection_(facts_.arrays()) {}
+          allow_bad_(options.allow_bad), folder_(options.folder.empty() ? options.dataset : options.folder),
+          facts_(dataset_->info().late), writer_(dataset_, options.folder, [] { progress(0, "waiting"); }),
+          selection_(facts_.arrays()) {}
 
     void run(std::vector<std::size_t> steps) {
         for (const std::size_t step : steps) (void)dataset_->steps().at(step); // throws if there is no such step
@@ -80,7 +82,7 @@ private:
         if (source_) return;
         facts_.check_inputs();
         source_ = open_source(facts_.inputs(), facts_.source_options());
-        arrays_.emplace(selection_, *source_, FieldComponents(components_of(*dataset_)));
+        arrays_.emplace(selection_, *source_, FieldComponents(components_of(*dataset_)), folder_);
     }
 
     [[nodiscard]] std::size_t step_of_source(std::size_t step) const {
@@ -106,11 +108,13 @@ private:
         tell(0.7, "making arrays", step);
         const auto topology = [this]() -> const ciel::Topology& { return topology_of_mesh(); };
         const std::vector<std::string> lost_before = arrays_->lost();
-        const auto& arrays = arrays_->make(of_source, mesh_, input_grids, topology, point_maker_);
+        CollectedArrays collected; // written only if the step is whole
+        arrays_->make(of_source, mesh_, input_grids, topology, point_maker_,
+                      std::bind_front(&CollectedArrays::add, &collected));
         check_whole(step, lost_before);
         if (facts_.state_of(*source_, of_source) != state) refuse_change(step); // the arrays may be of two runs
         tell(0.9, "writing", step);
-        for (const store::ArrayValues& array : arrays) {
+        for (const store::ArrayValues& array : collected.arrays()) {
             const store::ArrayValues named{store::with_valid_text(array.info), array.values};
             if (dataset_->find(named.info.name) != nullptr)
                 writer_.put(step, named);
@@ -173,7 +177,7 @@ private:
     }
 
     [[nodiscard]] StepMesh matched_mesh(const InputGrids& input_grids, std::size_t step) const {
-        StepMesh mesh = build_step_mesh(input_grids, facts_.weld(), difference_across);
+        StepMesh mesh = build_step_mesh(input_grids, facts_.weld(), difference_across, folder_);
         mesh.cells.reset();
         const ciel::FaceMeshView stored = dataset_->mesh_arrays().points(0, 0);
         if (!std::ranges::equal(mesh.point_of_vertex, dataset_->original_vertex(0)) ||
@@ -186,6 +190,7 @@ private:
 
     std::shared_ptr<store::Dataset> dataset_;
     const bool allow_bad_;
+    const std::filesystem::path folder_; // of large temporary files
     SourceFacts facts_;
     store::LateWriter writer_;
     ArraySelection selection_;

@@ -386,7 +386,7 @@ def test_limits_end_in_a_sentence(tmp_path):
         (("--memory-limit", "0.05"), MEMORY_WORDS),  # too little even for the reader's libraries
         (("--memory-limit", "0.2"), MEMORY_WORDS),
         (("--memory-limit", "0.3"), MEMORY_WORDS),
-        (("--memory-limit", "0.45"), MEMORY_WORDS),
+        (("--memory-limit", "0.36"), MEMORY_WORDS),
         (("--time-limit", "0.01"), "--time-limit"),
         (("--stall-limit", "0.001"), "--stall-limit"),
     ]:

@@ -59,7 +59,7 @@ private:
     }
 
     // `end`: number of faces or corners of all cells. `offset` stays empty until a cell has one.
-    void end_cell(std::size_t end, std::vector<std::uint64_t>& offset) const {
+    void end_cell(std::size_t end, store::DiskVector<std::uint64_t>& offset) const {
         if (end == 0) return;
         if (offset.empty()) offset.reserve(mesh_.cell_types.capacity() + 1);
         offset.resize(mesh_.cell_types.size(), 0);
@@ -80,12 +80,22 @@ private:
         for (std::size_t i = 0; i < shape.corners; ++i) corners[i] = vertex(nodes[i], cell);
         if (shape.reduced_from != nullptr) ++mesh_.reduced_cells[shape.reduced_from];
         if (shape.type == ciel::CellType::polyhedron) {
-            ciel::append_vtk_faces(shape, corners, mesh_.face_offset, mesh_.face_vertex);
+            append_faces(shape, corners);
         } else {
             const ciel::VtkCorners ordered = ciel::standard_corners(shape, corners);
             mesh_.corner.insert(mesh_.corner.end(), ordered.begin(), ordered.begin() + shape.corners);
         }
         close_cell(shape.type, cell);
+    }
+
+    void append_faces(const ciel::VtkShape& shape, const ciel::VtkCorners& corners) {
+        auto& [offset, vertices] = ciel::of_this_thread<JoinedMesh::FacesOfCell>();
+        offset.assign(1, 0);
+        vertices.clear();
+        ciel::append_vtk_faces(shape, corners, offset, vertices);
+        const std::size_t before = mesh_.face_vertex.size();
+        for (const std::uint64_t end : std::span(offset).subspan(1)) mesh_.face_offset.push_back(before + end);
+        mesh_.face_vertex.insert(mesh_.face_vertex.end(), vertices.begin(), vertices.end());
     }
 
     // VTK's face stream: the number of faces, then for each face the number of points and the point ids.
@@ -219,8 +229,8 @@ private:
 
 } // namespace
 
-JoinedMesh number_members(const std::vector<InputGrid>& volumes) {
-    JoinedMesh mesh;
+JoinedMesh number_members(const std::vector<InputGrid>& volumes, const std::filesystem::path& folder) {
+    JoinedMesh mesh(folder);
     std::map<vtkPoints*, ciel::Index> shared;
     std::uint64_t points = 0;
     std::uint64_t cells = 0;
@@ -336,8 +346,8 @@ store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ci
     return ciel::are_floats(positions) ? store::converted(positions, false) : store::Values(std::move(positions));
 }
 
-JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes) {
-    JoinedMesh mesh = number_members(volumes);
+JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes, const std::filesystem::path& folder) {
+    JoinedMesh mesh = number_members(volumes, folder);
     reserve_cells(mesh);
     for (std::size_t member = 0; member < mesh.members.size(); ++member) MemberJoiner(mesh, member).add_cells();
     mesh.positions = point_positions(mesh.members, mesh.point_count);

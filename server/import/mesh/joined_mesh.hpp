@@ -4,6 +4,7 @@
 #include "ciel/assemble.hpp"
 #include "ciel/of_this_thread.hpp"
 #include "import/source/input_grids.hpp"
+#include "store/files/disk_vector.hpp"
 #include "store/format/values.hpp"
 
 #include <map>
@@ -14,6 +15,12 @@ namespace server::importer {
 // Members that share a vtkPoints object also share the running ids of its points. A vertex of the joined mesh has the
 // id of its running point. source_cell maps a cell of the joined mesh to its running cell.
 struct JoinedMesh {
+    // `folder`: where the lists of faces and corners are, if they are large (store/files/disk_vector.hpp).
+    explicit JoinedMesh(const std::filesystem::path& folder = {})
+        : cell_offset(on_disk<std::uint64_t>(folder)), face_offset(1, 0, on_disk<std::uint64_t>(folder)),
+          corner_offset(on_disk<std::uint64_t>(folder)), face_vertex(on_disk<ciel::Index>(folder)),
+          corner(on_disk<ciel::Index>(folder)) {}
+
     struct Member { // an input grid in the joined mesh
         std::string name;
         vtkSmartPointer<vtkDataSet> data;
@@ -42,8 +49,8 @@ struct JoinedMesh {
     store::Values positions; // x, y, z of each running point, equal to the numbers in the input
     // As in PolyhedraView. Standard cells list their corners, except cells that the input gives as polyhedra.
     std::vector<std::uint8_t> cell_types;
-    std::vector<std::uint64_t> cell_offset, face_offset{0}, corner_offset;
-    std::vector<ciel::Index> face_vertex, corner;
+    store::DiskVector<std::uint64_t> cell_offset, face_offset, corner_offset;
+    store::DiskVector<ciel::Index> face_vertex, corner;
     std::vector<ciel::Index> source_cell; // cell of the joined mesh -> running cell
 
     [[nodiscard]] ciel::PolyhedraView view() const {
@@ -72,17 +79,24 @@ struct JoinedMesh {
         for (auto& vertex : mesh.corner) f(vertex);
         for (auto& vertex : mesh.face_vertex) f(vertex);
     }
+
+private:
+    template <class T>
+    static store::DiskAllocator<T> on_disk(const std::filesystem::path& folder) {
+        return folder.empty() ? store::DiskAllocator<T>() : store::DiskAllocator<T>(folder);
+    }
 };
 
 // Returns a mesh with members and without cells. Throws Error if there are more than 2^32 - 2 points or cells.
-[[nodiscard]] JoinedMesh number_members(const std::vector<InputGrid>& volumes);
+[[nodiscard]] JoinedMesh number_members(const std::vector<InputGrid>& volumes,
+                                        const std::filesystem::path& folder = {});
 
 // Throws Error if one of the numbers exceeds 2^32 - 2.
 [[nodiscard]] RunningCounts count_running(const std::vector<InputGrid>& volumes);
 
 // Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a coordinate
 // that is not finite, or more than 2^32 - 2 points or cells.
-[[nodiscard]] JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes);
+[[nodiscard]] JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes, const std::filesystem::path& folder);
 
 // Returns x, y, z of each running point: floats if floats equal all numbers of the input, else doubles.
 [[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ciel::Index point_count);

@@ -209,9 +209,10 @@ void name_groups(const InputGrids& input_grids, const std::vector<ciel::Index>& 
 
 } // namespace
 
-StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference) {
+StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference,
+                         const std::filesystem::path& folder) {
     require_volumes(input_grids);
-    JoinedMesh joined = join_input_grids(input_grids.volumes);
+    JoinedMesh joined = join_input_grids(input_grids.volumes, folder);
     if (joined.cell_types.empty() && joined.convex_point_sets > 0)
         throw ciel::Error("holds only convex point sets, cells without faces; write them as polyhedra");
     if (joined.cell_types.empty()) throw ciel::Error("holds no volume cells");

@@ -43,8 +43,9 @@ struct StepMesh {
     }
 };
 
-// Throws Error if no volume cell is usable, and for the errors of join_input_grids().
-[[nodiscard]] StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference);
+// `folder`: as in JoinedMesh. Throws Error if no volume cell is usable, and for the errors of join_input_grids().
+[[nodiscard]] StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference,
+                                       const std::filesystem::path& folder);
 
 // `input_grids`: another step with the same cells. If `moved` is true, also replaces the positions of the mesh.
 void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved);

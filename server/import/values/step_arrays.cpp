@@ -95,24 +95,22 @@ bool StepArrays::accept(FieldName& field, const std::string& stored) {
     return false;
 }
 
-void StepArrays::add(const FieldName& field, const std::string& name, store::Association association,
-                     store::Origin origin, store::Values values) {
+void StepArrays::send(const FieldName& field, const std::string& name, store::Association association,
+                      store::Origin origin, store::Values values, const ArraySink& sink) {
     const auto units = units_.find(field.name);
-    values_.push_back(std::move(values));
-    store::ArrayValues array;
-    array.info.name = name;
-    array.info.association = association;
-    array.info.components = field.components;
-    if (units != units_.end()) array.info.units = units->second;
-    array.info.component_names = field.component_names;
-    array.info.source = {origin, field.type, source_.file_of(field, step_)};
-    array.values = values_.back();
-    arrays_.push_back(array);
+    store::ArrayInfo info;
+    info.name = name;
+    info.association = association;
+    info.components = field.components;
+    if (units != units_.end()) info.units = units->second;
+    info.component_names = field.component_names;
+    info.source = {origin, field.type, source_.file_of(field, step_)};
+    sink(info, std::move(values));
 }
 
-void StepArrays::add_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field,
-                                bool point_field_exists, const TopologyOf& topology,
-                                std::unique_ptr<PointMaker>& maker) {
+void StepArrays::send_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field,
+                                 bool point_field_exists, const TopologyOf& topology,
+                                 std::unique_ptr<PointMaker>& maker, const ArraySink& sink) {
     const std::string name = stored_name(field.name);
     store::Values cells = to_stored(gather_field(mesh.members, field), mesh.cell_of_cell, field.components);
     // Other steps may have a point array of this name with other components. If the components of that point array are
@@ -126,16 +124,20 @@ void StepArrays::add_cell_field(const StepMesh& mesh, const InputGrids& input_gr
         const std::vector<PatchRole> roles = patch_roles(mesh, input_grids, no_slip_, field.name);
         note_unknown_conditions(mesh, input_grids, field);
         cells.with([&]<class T>(std::span<const T> of_cells) {
-            std::vector<T> points = maker->interpolation.apply(of_cells, field.components);
-            maker->walls.overlay(on_patches, roles, field.components, points);
-            add(field, name, store::Association::point, store::Origin::interpolated, store::Values(std::move(points)));
+            const auto points = std::make_shared<store::DiskVector<T>>(mesh.point_of_vertex.size() *
+                                                                           static_cast<std::size_t>(field.components),
+                                                                       T{}, store::DiskAllocator<T>(folder_));
+            maker->interpolation.apply_into(of_cells, field.components, std::span<T>(*points));
+            maker->walls.overlay(on_patches, roles, field.components, std::span<T>(*points));
+            send(field, name, store::Association::point, store::Origin::interpolated,
+                 store::Values(std::span<const T>(*points), points), sink);
             std::vector<T> faces = maker->patch_faces.values<T>(on_patches, field.components);
             if (!faces.empty())
-                add(field, "patch:" + name, store::Association::boundary_face, origin_of(field),
-                    store::Values(std::move(faces)));
+                send(field, "patch:" + name, store::Association::boundary_face, origin_of(field),
+                     store::Values(std::move(faces)), sink);
         });
     }
-    add(field, "cell:" + name, store::Association::cell, origin_of(field), std::move(cells));
+    send(field, "cell:" + name, store::Association::cell, origin_of(field), std::move(cells), sink);
 }
 
 std::vector<std::string> StepArrays::notes() const {
@@ -144,12 +146,9 @@ std::vector<std::string> StepArrays::notes() const {
     return notes;
 }
 
-const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const StepMesh& mesh,
-                                                        const InputGrids& input_grids, const TopologyOf& topology,
-                                                        std::unique_ptr<PointMaker>& maker) {
+void StepArrays::make(std::size_t step, const StepMesh& mesh, const InputGrids& input_grids, const TopologyOf& topology,
+                      std::unique_ptr<PointMaker>& maker, const ArraySink& sink) {
     step_ = step;
-    arrays_.clear();
-    values_.clear();
     const std::vector<FieldName> fields = field_names(mesh.members);
     no_slip_ = find_no_slip(mesh, input_grids, fields);
     const auto has_points = [&](const std::string& name) {
@@ -173,12 +172,11 @@ const std::vector<store::ArrayValues>& StepArrays::make(std::size_t step, const 
         if (!accept(field, stored)) continue;
         loss_.look_at(mesh.members, field, doubles_.try_emplace(stored, field.doubles).first->second);
         if (cell)
-            add_cell_field(mesh, input_grids, field, has_points(name), topology, maker);
+            send_cell_field(mesh, input_grids, field, has_points(name), topology, maker, sink);
         else
-            add(field, name, store::Association::point, origin_of(field),
-                to_stored(gather_field(mesh.members, field), mesh.point_of_vertex, field.components));
+            send(field, name, store::Association::point, origin_of(field),
+                 to_stored(gather_field(mesh.members, field), mesh.point_of_vertex, field.components), sink);
     }
-    return arrays_;
 }
 
 } // namespace server::importer

@@ -11,7 +11,6 @@
 #include "import/values/value_loss.hpp"
 #include "import/values/wall_values.hpp"
 
-#include <deque>
 #include <functional>
 #include <memory>
 #include <set>
@@ -27,16 +26,21 @@ struct PointMaker {
 
 using TopologyOf = std::function<const ciel::Topology&()>; // of the step's mesh, which has been written
 
+// Called for each array. So only the arrays that the receiver keeps are in memory together.
+using ArraySink = std::function<void(const store::ArrayInfo& info, store::Values values)>;
+
 class StepArrays {
 public:
-    // Leaves out arrays that `selection` does not want, and calls selection.saw() for all arrays.
-    StepArrays(ArraySelection& selection, const Source& source, FieldComponents components)
-        : selection_(selection), source_(source), units_(source.units()), components_(std::move(components)) {}
+    // Leaves out arrays that `selection` does not want, and calls selection.saw() for all arrays. `folder`: where the
+    // interpolated values are, if they are large (store/files/disk_vector.hpp).
+    StepArrays(ArraySelection& selection, const Source& source, FieldComponents components,
+               std::filesystem::path folder)
+        : selection_(selection), source_(source), folder_(std::move(folder)), units_(source.units()),
+          components_(std::move(components)) {}
 
-    // Makes the arrays of the step that was read last, valid until the next call. Creates `maker` if it is needed.
-    [[nodiscard]] const std::vector<store::ArrayValues>& make(std::size_t step, const StepMesh& mesh,
-                                                              const InputGrids& input_grids, const TopologyOf& topology,
-                                                              std::unique_ptr<PointMaker>& maker);
+    // Makes the arrays of the step that was read last. Creates `maker` if it is needed.
+    void make(std::size_t step, const StepMesh& mesh, const InputGrids& input_grids, const TopologyOf& topology,
+              std::unique_ptr<PointMaker>& maker, const ArraySink& sink);
 
     // Returns notes on arrays left out, unknown boundary conditions, and values that the stored type changes.
     [[nodiscard]] std::vector<std::string> notes() const;
@@ -45,16 +49,17 @@ public:
     [[nodiscard]] const FieldComponents& components() const { return components_; }
 
 private:
-    void add(const FieldName& field, const std::string& name, store::Association association, store::Origin origin,
-             store::Values values);
+    void send(const FieldName& field, const std::string& name, store::Association association, store::Origin origin,
+              store::Values values, const ArraySink& sink);
     [[nodiscard]] bool accept(FieldName& field, const std::string& stored);
     [[nodiscard]] store::Origin origin_of(const FieldName& field) const;
-    void add_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field, bool point_field_exists,
-                        const TopologyOf& topology, std::unique_ptr<PointMaker>& maker);
+    void send_cell_field(const StepMesh& mesh, const InputGrids& input_grids, FieldName field, bool point_field_exists,
+                         const TopologyOf& topology, std::unique_ptr<PointMaker>& maker, const ArraySink& sink);
     void note_unknown_conditions(const StepMesh& mesh, const InputGrids& input_grids, const FieldName& field);
 
     ArraySelection& selection_;
     const Source& source_;
+    std::filesystem::path folder_;
     std::map<std::string, std::string> units_;
     FieldComponents components_;
     std::map<std::string, std::vector<std::string>> order_; // name in the dataset -> order of the tensor's components
@@ -63,8 +68,20 @@ private:
     ValueLoss loss_;
     std::set<std::string> notes_, lost_;
     std::vector<bool> no_slip_;
-    std::deque<store::Values> values_;
+};
+
+// The arrays of one step, all in memory.
+class CollectedArrays {
+public:
+    void add(const store::ArrayInfo& info, store::Values values) {
+        arrays_.push_back({info, values});
+        values_.push_back(std::move(values));
+    }
+    [[nodiscard]] const std::vector<store::ArrayValues>& arrays() const { return arrays_; }
+
+private:
     std::vector<store::ArrayValues> arrays_;
+    std::vector<store::Values> values_; // keep the numbers of arrays_ alive
 };
 
 } // namespace server::importer

@@ -52,7 +52,7 @@ WallValues::WallValues(const ciel::FaceMeshView& mesh, const std::vector<Patch>&
 
 template <class T>
 void WallValues::overlay(const std::vector<PatchValues>& values, const std::vector<PatchRole>& roles, int components,
-                         std::vector<T>& points) const {
+                         std::span<T> points) const {
     const auto width = static_cast<std::size_t>(components);
     std::vector<std::uint8_t> kinds(vertices_.size(), untouched);
     std::vector<double> total(vertices_.size());
@@ -88,7 +88,7 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
 // Vertices of no-slip walls and of patches with a fixed value keep their vectors.
 template <class T>
 void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
-                                 std::vector<T>& points) const {
+                                 std::span<T> points) const {
     for (std::size_t patch = 0; patch < planes_.size(); ++patch) {
         if (roles[patch] != PatchRole::plane) continue;
         for (const Plane& plane : planes_[patch]) {
@@ -101,8 +101,8 @@ void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std:
 }
 
 template void WallValues::overlay(const std::vector<PatchValues>&, const std::vector<PatchRole>&, int,
-                                  std::vector<float>&) const;
+                                  std::span<float>) const;
 template void WallValues::overlay(const std::vector<PatchValues>&, const std::vector<PatchRole>&, int,
-                                  std::vector<double>&) const;
+                                  std::span<double>) const;
 
 } // namespace server::importer

@@ -34,7 +34,7 @@ public:
     // vertices on patches with values. Arrays of three components are vectors. T: float or double.
     template <class T>
     void overlay(const std::vector<PatchValues>& values, const std::vector<PatchRole>& roles, int components,
-                 std::vector<T>& points) const;
+                 std::span<T> points) const;
 
 private:
     struct Entry {
@@ -48,7 +48,7 @@ private:
     };
     template <class T>
     void put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
-                         std::vector<T>& points) const;
+                         std::span<T> points) const;
 
     std::vector<ciel::Index> vertices_;       // ids of the vertices on patches
     std::vector<std::vector<Entry>> entries_; // per patch

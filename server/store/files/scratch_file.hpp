@@ -16,6 +16,7 @@ public:
     // REQUIRES: [offset, offset + bytes.size()) lies within the file. Both functions throw Error when the disk fails.
     void write(std::uint64_t offset, std::span<const std::byte> bytes);
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
+    [[nodiscard]] int descriptor() const { return file_.get(); } // a mapping of it may outlive the object
 
 private:
     Descriptor file_;

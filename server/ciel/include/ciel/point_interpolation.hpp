@@ -25,14 +25,15 @@ public:
     // any finite value gets NaN. Uses all threads of parallel_for.
     [[nodiscard]] std::vector<float> apply(std::span<const float> cell_values, int components) const;
     [[nodiscard]] std::vector<double> apply(std::span<const double> cell_values, int components) const;
+    // The same into memory of the caller. Throws Error if `points` has not `components` values for each vertex.
+    template <class T> // float or double
+    void apply_into(std::span<const T> cell_values, int components, std::span<T> points) const;
 
 private:
     struct CellAtVertex;
     [[nodiscard]] static std::vector<CellAtVertex> at_collapsed_faces(const Topology& topology,
                                                                       const FaceMeshView& mesh);
     void find_cells(const Topology& topology, std::span<const CellAtVertex> further);
-    template <class T>
-    [[nodiscard]] std::vector<T> apply_to(std::span<const T> cell_values, int components) const;
 
     std::vector<std::uint64_t> offset_; // V + 1: first entry of each vertex in cell_ and weight_
     std::vector<Index> cell_;

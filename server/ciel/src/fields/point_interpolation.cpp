@@ -129,10 +129,10 @@ void PointInterpolation::find_cells(const Topology& topology, std::span<const Ce
 }
 
 template <class T>
-std::vector<T> PointInterpolation::apply_to(std::span<const T> cell_values, int components) const {
+void PointInterpolation::apply_into(std::span<const T> cell_values, int components, std::span<T> points) const {
     const std::size_t vertices = offset_.size() - 1;
     const auto width = static_cast<std::size_t>(components);
-    std::vector<T> values(vertices * width);
+    if (points.size() != vertices * width) fail("the point values need one tuple for each vertex");
     parallel_for(vertices, grain, [&](std::size_t first, std::size_t last) {
         for (std::size_t vertex = first; vertex < last; ++vertex)
             for (std::size_t c = 0; c < width; ++c) {
@@ -144,19 +144,25 @@ std::vector<T> PointInterpolation::apply_to(std::span<const T> cell_values, int 
                     sum += static_cast<double>(weight_[i]) * value;
                     total += weight_[i];
                 }
-                values[vertex * width + c] =
+                points[vertex * width + c] =
                     total > 0 ? static_cast<T>(sum / total) : std::numeric_limits<T>::quiet_NaN();
             }
     });
-    return values;
 }
 
+template void PointInterpolation::apply_into(std::span<const float>, int, std::span<float>) const;
+template void PointInterpolation::apply_into(std::span<const double>, int, std::span<double>) const;
+
 std::vector<float> PointInterpolation::apply(std::span<const float> cell_values, int components) const {
-    return apply_to(cell_values, components);
+    std::vector<float> points((offset_.size() - 1) * static_cast<std::size_t>(components));
+    apply_into(cell_values, components, std::span(points));
+    return points;
 }
 
 std::vector<double> PointInterpolation::apply(std::span<const double> cell_values, int components) const {
-    return apply_to(cell_values, components);
+    std::vector<double> points((offset_.size() - 1) * static_cast<std::size_t>(components));
+    apply_into(cell_values, components, std::span(points));
+    return points;
 }
 
 } // namespace ciel
