@@ -80,26 +80,6 @@ describe("page", { skip }, () => {
     await client.close();
   });
 
-  test("undo survives two reloads and a restart of the server between them", async () => {
-    const client = await stage.fresh();
-    const before = await client.value();
-    await client.dragIso(0.3);
-    await client.settled();
-    const value = await client.value();
-    await client.addressed();
-    await client.page.reload();
-    await client.settled();
-    await stage.server.stop("SIGKILL");
-    await stage.server.start();
-    await client.page.reload();
-    await client.settled();
-    assert.equal(await client.value(), value);
-    await client.button("Undo").click();
-    await client.settled();
-    assert.equal(await client.value(), before);
-    await client.close();
-  });
-
   test("the server dies and comes back: the scene is kept, and what the hand did meanwhile", async () => {
     const client = await stage.same();
     await client.dragIso(0.65);
