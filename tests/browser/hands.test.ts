@@ -312,7 +312,9 @@ describe("hands", { skip }, () => {
     await client.settled();
     assert.ok(difference(sliced, await client.picture()) > 0.005);
     await client.canvas.focus();
+    client.patches.length = 0;
     for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]) await keys.press(key);
+    await client.patched(2); // the page asks the server for the center of the turn before it sends both
     await client.settled();
     assert.ok(difference(sliced, await client.picture()) > 0.02);
     // Undoes the zoom, the rotation, the hidden surface, the moved slice, and the added slice.

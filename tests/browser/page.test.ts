@@ -6,6 +6,7 @@ import { dirname, join, resolve } from "node:path";
 import { describe, test } from "node:test";
 import { fileURLToPath } from "node:url";
 import { sceneOf } from "./link.ts";
+import type { Client } from "./page.ts";
 import { decodePng, difference, distance, type Picture } from "./png.ts";
 import { nameOf, Server } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
@@ -63,20 +64,54 @@ describe("page", { skip }, () => {
     await client.close();
   });
 
-  test("reloading keeps the session and its undo", async () => {
-    const client = await stage.fresh();
+  /** Opens a page, drags the iso-value as one step, and reloads the page. Returns the value before the drag, too. */
+  async function draggedAndReloaded(): Promise<{ client: Client; before: number }> {
+    const client = await stage.fresh({ scheme: "light" }); // a reload sometimes resets Chromium to this scheme
     const before = await client.value();
     await client.dragIso(0.3);
     await client.settled();
     const value = await client.value();
     assert.equal(new Set(client.patches.map(({ gesture }) => gesture)).size, 1);
     await client.addressed();
-    await client.page.reload(); // sometimes resets Chromium's emulated color scheme to light
+    await reloaded(client, value);
+    return { client, before };
+  }
+
+  async function reloaded(client: Client, value: number): Promise<void> {
+    await client.page.reload();
     await client.settled();
     assert.equal(await client.value(), value);
+  }
+
+  async function undone(client: Client, value: number): Promise<void> {
     await client.button("Undo").click();
     await client.settled();
-    assert.equal(await client.value(), before);
+    assert.equal(await client.value(), value);
+  }
+
+  test("reloading keeps the session and its undo", async () => {
+    const { client, before } = await draggedAndReloaded();
+    await undone(client, before);
+    await client.close();
+  });
+
+  test("a theme that changes after a reload is no undo step of its own", async () => {
+    const { client, before } = await draggedAndReloaded();
+    client.patches.length = 0;
+    await client.page.emulateMedia({ colorScheme: "dark" });
+    await client.patched();
+    await client.settled();
+    await undone(client, before);
+    await client.close();
+  });
+
+  test("undo survives two reloads and a restart of the server between them", async () => {
+    const { client, before } = await draggedAndReloaded();
+    const value = await client.value();
+    await stage.server.stop("SIGKILL");
+    await stage.server.start();
+    await reloaded(client, value);
+    await undone(client, before);
     await client.close();
   });
 

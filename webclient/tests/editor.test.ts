@@ -57,9 +57,8 @@ const values = (): number[] | undefined => {
 const setValue = (value: number, gesture?: string): void =>
   editor.change({ layers: { iso: { values: [value] } } }, gesture);
 
-beforeEach(() => {
-  [sent, wire, frames, refused, gone, stuck, held, canUndo, lost] = [[], [], [], [], [], [], scene, false, null];
-  [time, accepted] = [0, []];
+/** Returns an editor as a newly loaded page has it. `name`: begins the names of its gestures. */
+function loadPage(name: string): SceneEditor {
   const events = {
     changed: () => undefined,
     accepted: (revision: number, _: number, of: Scene) => void accepted.push([revision, of]),
@@ -69,7 +68,13 @@ beforeEach(() => {
   };
   const timing = { now: () => time, requestFrame: (callback: () => void) => void frames.push(callback) };
   model = makeModel();
-  editor = new SceneEditor(model, events, timing, "g");
+  return new SceneEditor(model, events, timing, name);
+}
+
+beforeEach(() => {
+  [sent, wire, frames, refused, gone, stuck, held, canUndo, lost] = [[], [], [], [], [], [], scene, false, null];
+  [time, accepted] = [0, []];
+  editor = loadPage("g");
   editor.connected(server, state(scene));
 });
 
@@ -130,6 +135,22 @@ describe("scene editor", () => {
     runFrame();
     expect(new Set(sent.map((s) => s.gesture)).size).toBe(1);
     expect(sent.at(-1)?.patch).toMatchObject({ background: "light" });
+  });
+
+  test("an amendment after a reload is undone with the step before the reload", async () => {
+    setValue(1);
+    runFrame();
+    sent[0]?.answer(taken(2));
+    await settled();
+    const text = editor.stepsAsText();
+    const edited = editor.scene ?? scene;
+    editor = loadPage("h");
+    editor.restoreSteps(text);
+    editor.connected(server, state(edited));
+    editor.amend({ background: "light" });
+    runFrame();
+    expect(sent.at(-1)?.patch).toEqual({ background: "light" });
+    expect(sent.at(-1)?.gesture).toBe(sent[0]?.gesture);
   });
 
   test("a slow server gets the newest, not everything", async () => {

@@ -115,6 +115,21 @@ describe("a turn", () => {
     expect(moves.map(({ gesture }) => gesture)).toEqual(["h"]);
   });
 
+  test("that waits comes before what the user does after it", async () => {
+    const { commands, moves, answer } = page();
+    const undo = vi.fn();
+    commands.turnBy(20, 0, "arrows", true);
+    commands.zoomBy(0.5);
+    commands.turnBy(0, 20, "arrows", true);
+    commands.afterTurn(undo);
+    expect(moves).toEqual([]);
+    await answer({ position: [0, 0, 0], centre: null });
+    expect(moves.map(({ gesture }) => gesture)).toEqual(["arrows", undefined]);
+    expect(undo).toHaveBeenCalledOnce();
+    commands.afterTurn(undo);
+    expect(undo).toHaveBeenCalledTimes(2);
+  });
+
   test("by a key waits too; an older answer does not count", async () => {
     const { commands, moves, answer } = page();
     commands.turnBy(20, 0, "a", true);

@@ -30,6 +30,8 @@ const NO_TURN: Turn = { dataset: undefined, dx: 0, dy: 0, gesture: "" };
 export class CameraCommands {
   /** Turns that wait until the center of the orbit is known. */
   private waiting: Turn = NO_TURN;
+  /** What the user did after these turns. */
+  private actionsAfter: (() => void)[] = [];
 
   constructor(
     private readonly deps: Deps,
@@ -58,15 +60,23 @@ export class CameraCommands {
   }
 
   zoomBy(factor: number): void {
-    const camera = this.get();
-    const { css } = this.deps.server.size;
-    if (camera === null) return;
-    const next = this.zoomed(camera, factor, css.width / 2, css.height / 2);
-    if (next !== camera) this.set(next);
+    this.afterTurn(() => {
+      const camera = this.get();
+      const { css } = this.deps.server.size;
+      if (camera === null) return;
+      const next = this.zoomed(camera, factor, css.width / 2, css.height / 2);
+      if (next !== camera) this.set(next);
+    });
   }
 
   panBy(dx: number, dy: number, gesture: string): void {
-    this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
+    this.afterTurn(() => this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture));
+  }
+
+  /** Calls `action`, but not before a turn that waits. Undo steps thus have the order of the user's actions. */
+  afterTurn(action: () => void): void {
+    if (this.deps.view.pivot.isSought) this.actionsAfter.push(action);
+    else action();
   }
 
   /** Orbits like a drag by (dx, dy) CSS pixels. `anew`: looks for a new pivot in the middle of the canvas. */
@@ -79,6 +89,7 @@ export class CameraCommands {
   /** Starts an orbit about the surface point at (x, y). The coordinates are CSS pixels of the canvas. */
   turnsAbout(x: number, y: number): void {
     this.deps.view.pivot.seek(x, y, () => this.turnNow());
+    if (!this.deps.view.pivot.isSought) this.turnNow();
   }
 
   /** Orbits by (dx, dy) CSS pixels, as soon as the center of the orbit is known. */
@@ -91,10 +102,14 @@ export class CameraCommands {
 
   private turnNow(): void {
     const { dataset, dx, dy, gesture } = this.waiting;
+    const actions = this.actionsAfter;
     this.waiting = NO_TURN;
-    if ((dx === 0 && dy === 0) || dataset !== this.dataset()) return; // another dataset was chosen meanwhile
+    this.actionsAfter = [];
     const { css } = this.deps.server.size;
-    this.change((camera) => orbit(camera, dx, dy, css, this.deps.view.pivot.of(camera)), gesture);
+    // Another dataset may have been chosen meanwhile.
+    if ((dx !== 0 || dy !== 0) && dataset === this.dataset())
+      this.change((camera) => orbit(camera, dx, dy, css, this.deps.view.pivot.of(camera)), gesture);
+    for (const action of actions) action();
   }
 
   reset(wholeBox = false): void {
@@ -108,7 +123,7 @@ export class CameraCommands {
   }
 
   toggleParallel(): void {
-    this.change((camera) => withParallel(camera, !camera.parallel));
+    this.afterTurn(() => this.change((camera) => withParallel(camera, !camera.parallel)));
   }
 
   async centreOn(x: number, y: number): Promise<void> {

@@ -74,12 +74,12 @@ export class Commands {
 
   undo(): void {
     this.time.stop();
-    void this.server.editor.undo();
+    this.camera.afterTurn(() => void this.server.editor.undo());
   }
 
   redo(): void {
     this.time.stop();
-    void this.server.editor.redo();
+    this.camera.afterTurn(() => void this.server.editor.redo());
   }
 
   async openDataset(name: string): Promise<void> {

@@ -74,6 +74,7 @@ export class SceneEditor {
   private patchesAtOnce = new PatchesAtOnce();
   private frameRequested = false;
   private gestures = 0;
+  private newestGesture: string;
   /** Last state of layers that other clients have removed, by id. */
   private readonly lost = new Map<string, Layer>();
   private readonly history = new SceneHistory();
@@ -83,7 +84,9 @@ export class SceneEditor {
     private readonly events: EditorEvents,
     private readonly timing: Timing,
     private readonly name: string,
-  ) {}
+  ) {
+    this.newestGesture = name;
+  }
 
   get scene(): Scene | null {
     return this.state.scene.peek();
@@ -115,11 +118,13 @@ export class SceneEditor {
   /** Call before the first connected(). */
   restoreSteps(text: string): void {
     this.history.restore(text);
+    this.newestGesture = this.history.newestGesture || this.name;
   }
 
   /** All changes with one gesture name are one undo step. */
   newGesture(): string {
-    return `${this.name}-${++this.gestures}`;
+    this.newestGesture = `${this.name}-${++this.gestures}`;
+    return this.newestGesture;
   }
 
   change(patch: object, gesture = this.newGesture()): void {
@@ -136,9 +141,9 @@ export class SceneEditor {
     this.requestFlush();
   }
 
-  /** Makes an automatic change. It is undone together with the previous change. */
+  /** Makes an automatic change. It is undone together with the previous change, also one before a reload of the page. */
   amend(patch: object): void {
-    this.change(patch, `${this.name}-${this.gestures}`);
+    this.change(patch, this.newestGesture);
   }
 
   replace(scene: Scene, gesture?: string): void {

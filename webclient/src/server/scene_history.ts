@@ -25,6 +25,11 @@ export class SceneHistory {
     return this.scene as unknown as Scene | null;
   }
 
+  /** Gesture name of this page's newest step; empty if the newest step is not of this page. */
+  get newestGesture(): string {
+    return this.gesture === OF_OTHERS ? "" : this.gesture;
+  }
+
   /** Call when the server has accepted a change of this page. */
   changed(patch: JsonObject, gesture: string): void {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
@@ -69,7 +74,9 @@ export class SceneHistory {
 
   /** Text for restore(). Empty before a session. */
   asText(): string {
-    return this.scene === null ? "" : JSON.stringify({ scene: this.scene, ...fitting(this.steps, this.scene) });
+    return this.scene === null
+      ? ""
+      : JSON.stringify({ scene: this.scene, gesture: this.gesture, ...fitting(this.steps, this.scene) });
   }
 
   /** Call before the first session with the text of an earlier page. Another text is ignored. */
@@ -77,6 +84,7 @@ export class SceneHistory {
     const saved = savedIn(text);
     if (saved === null) return;
     this.scene = saved.scene;
+    this.gesture = saved.gesture;
     this.steps = { undo: saved.undo, redo: saved.redo };
   }
 
@@ -100,13 +108,14 @@ export class SceneHistory {
   }
 }
 
-type Saved = { scene: JsonObject } & Steps;
+type Saved = { scene: JsonObject; gesture: string } & Steps;
 
 function savedIn(text: string): Saved | null {
   try {
-    const { scene, undo, redo } = JSON.parse(text) as Partial<Saved>;
-    const isWhole = typeof scene === "object" && Array.isArray(undo) && Array.isArray(redo);
-    return isWhole ? { scene, undo, redo } : null;
+    const { scene, gesture = "", undo, redo } = JSON.parse(text) as Partial<Saved>;
+    const isWhole =
+      typeof scene === "object" && typeof gesture === "string" && Array.isArray(undo) && Array.isArray(redo);
+    return isWhole ? { scene, gesture, undo, redo } : null;
   } catch {
     return null;
   }
