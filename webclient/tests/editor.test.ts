@@ -137,6 +137,14 @@ describe("scene editor", () => {
     expect(sent.at(-1)?.patch).toMatchObject({ background: "light" });
   });
 
+  test("an amendment belongs to the step before it, however that was named", () => {
+    setValue(1, "arrow-keys");
+    editor.newGesture(); // a click that changed nothing
+    editor.amend({ background: "light" });
+    runFrame();
+    expect(sent.map((s) => s.gesture)).toEqual(["arrow-keys"]);
+  });
+
   test("an amendment after a reload is undone with the step before the reload", async () => {
     setValue(1);
     runFrame();

@@ -84,6 +84,13 @@ describe("scene history", () => {
     expect(undone(at(3))).toEqual([at(1), at(0)]);
   });
 
+  test("after a new session has opened, the gesture before it does not go on", () => {
+    history.changed({ time: 1 }, "g");
+    history.endGesture();
+    history.changed({ time: 2 }, "g");
+    expect(undone(at(2))).toEqual([at(1), at(0)]);
+  });
+
   test("changes that no server has taken are a step of their own", () => {
     history.changed({ time: 1 }, "g");
     expect(undone(at(5))).toEqual([at(1), at(0)]);

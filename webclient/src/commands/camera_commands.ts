@@ -30,8 +30,6 @@ const NO_TURN: Turn = { dataset: undefined, dx: 0, dy: 0, gesture: "" };
 export class CameraCommands {
   /** Turns that wait until the center of the orbit is known. */
   private waiting: Turn = NO_TURN;
-  /** What the user did after these turns. */
-  private actionsAfter: (() => void)[] = [];
 
   constructor(
     private readonly deps: Deps,
@@ -43,12 +41,18 @@ export class CameraCommands {
     return cameraOf(this.deps.model);
   }
 
+  /** Returns the camera to move on from. A turn that waits is made before. */
+  toMove(): FullCamera | null {
+    this.deps.server.editor.makeHeld();
+    return this.get();
+  }
+
   set(camera: FullCamera, gesture?: string): void {
     this.deps.server.editor.change({ camera }, gesture);
   }
 
   change(change: (camera: FullCamera) => FullCamera, gesture?: string): void {
-    const camera = this.get();
+    const camera = this.toMove();
     if (camera !== null) this.set(change(camera), gesture);
   }
 
@@ -60,23 +64,15 @@ export class CameraCommands {
   }
 
   zoomBy(factor: number): void {
-    this.afterTurn(() => {
-      const camera = this.get();
-      const { css } = this.deps.server.size;
-      if (camera === null) return;
-      const next = this.zoomed(camera, factor, css.width / 2, css.height / 2);
-      if (next !== camera) this.set(next);
-    });
+    const camera = this.toMove();
+    const { css } = this.deps.server.size;
+    if (camera === null) return;
+    const next = this.zoomed(camera, factor, css.width / 2, css.height / 2);
+    if (next !== camera) this.set(next);
   }
 
   panBy(dx: number, dy: number, gesture: string): void {
-    this.afterTurn(() => this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture));
-  }
-
-  /** Calls `action`, but not before a turn that waits. Undo steps thus have the order of the user's actions. */
-  afterTurn(action: () => void): void {
-    if (this.deps.view.pivot.isSought) this.actionsAfter.push(action);
-    else action();
+    this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
   }
 
   /** Orbits like a drag by (dx, dy) CSS pixels. `anew`: looks for a new pivot in the middle of the canvas. */
@@ -88,28 +84,27 @@ export class CameraCommands {
 
   /** Starts an orbit about the surface point at (x, y). The coordinates are CSS pixels of the canvas. */
   turnsAbout(x: number, y: number): void {
-    this.deps.view.pivot.seek(x, y, () => this.turnNow());
-    if (!this.deps.view.pivot.isSought) this.turnNow();
+    const { server, view } = this.deps;
+    view.pivot.seek(x, y, () => server.editor.makeHeld());
+    if (!view.pivot.isSought) server.editor.makeHeld();
   }
 
-  /** Orbits by (dx, dy) CSS pixels, as soon as the center of the orbit is known. */
+  /** Orbits by (dx, dy) CSS pixels, as soon as the center of the orbit is known, or something else is changed. */
   turn(dx: number, dy: number, gesture: string): void {
     const dataset = this.dataset();
     const before = this.waiting.dataset === dataset ? this.waiting : NO_TURN;
     this.waiting = { dataset, dx: before.dx + dx, dy: before.dy + dy, gesture };
-    if (!this.deps.view.pivot.isSought) this.turnNow();
+    const { server, view } = this.deps;
+    server.editor.hold(() => this.turnNow());
+    if (!view.pivot.isSought) server.editor.makeHeld();
   }
 
   private turnNow(): void {
     const { dataset, dx, dy, gesture } = this.waiting;
-    const actions = this.actionsAfter;
     this.waiting = NO_TURN;
-    this.actionsAfter = [];
+    if ((dx === 0 && dy === 0) || dataset !== this.dataset()) return; // another dataset was chosen meanwhile
     const { css } = this.deps.server.size;
-    // Another dataset may have been chosen meanwhile.
-    if ((dx !== 0 || dy !== 0) && dataset === this.dataset())
-      this.change((camera) => orbit(camera, dx, dy, css, this.deps.view.pivot.of(camera)), gesture);
-    for (const action of actions) action();
+    this.change((camera) => orbit(camera, dx, dy, css, this.deps.view.pivot.of(camera)), gesture);
   }
 
   reset(wholeBox = false): void {
@@ -123,7 +118,7 @@ export class CameraCommands {
   }
 
   toggleParallel(): void {
-    this.afterTurn(() => this.change((camera) => withParallel(camera, !camera.parallel)));
+    this.change((camera) => withParallel(camera, !camera.parallel));
   }
 
   async centreOn(x: number, y: number): Promise<void> {

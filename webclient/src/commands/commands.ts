@@ -51,7 +51,7 @@ export class Commands {
   listenTo(element: HTMLElement): void {
     const { camera, probe } = this;
     listenToGestures(element, {
-      camera: () => camera.get(),
+      camera: () => camera.toMove(),
       size: () => this.server.size.css,
       zoomed: (now, factor, x, y) => camera.zoomed(now, factor, x, y),
       move: (next, gesture) => camera.set(next, gesture),
@@ -74,12 +74,12 @@ export class Commands {
 
   undo(): void {
     this.time.stop();
-    this.camera.afterTurn(() => void this.server.editor.undo());
+    void this.server.editor.undo();
   }
 
   redo(): void {
     this.time.stop();
-    this.camera.afterTurn(() => void this.server.editor.redo());
+    void this.server.editor.redo();
   }
 
   async openDataset(name: string): Promise<void> {

@@ -14,7 +14,7 @@ export class TimeCommands {
         shownStep: () => nearestStep(this.times(), model.scene.peek()?.time),
         show: (step, gesture) => {
           const time = this.times()[step];
-          if (time !== undefined) server.editor.change({ time }, gesture);
+          if (time !== undefined) server.editor.changeAutomatically({ time }, gesture);
         },
         newGesture: () => server.editor.newGesture(),
         rate: () => model.playRate.peek(),

@@ -15,6 +15,9 @@ export interface SceneServer {
   get(): Promise<SessionState>;
 }
 
+/** Revision of a session that the server has just opened. */
+const FIRST_REVISION = 1;
+
 export type Step = "undo" | "redo";
 
 /**
@@ -75,6 +78,7 @@ export class SceneEditor {
   private frameRequested = false;
   private gestures = 0;
   private newestGesture: string;
+  private held: (() => void) | null = null;
   /** Last state of layers that other clients have removed, by id. */
   private readonly lost = new Map<string, Layer>();
   private readonly history = new SceneHistory();
@@ -123,16 +127,37 @@ export class SceneEditor {
 
   /** All changes with one gesture name are one undo step. */
   newGesture(): string {
-    this.newestGesture = `${this.name}-${++this.gestures}`;
-    return this.newestGesture;
+    return `${this.name}-${++this.gestures}`;
+  }
+
+  /**
+   * `make` makes a change that waits for an answer of the server. It is called by makeHeld(), and before any other
+   * change of the user, undo or redo, so that undo steps have the order of the user's actions. Replaces the one held
+   * before.
+   */
+  hold(make: () => void): void {
+    this.held = make;
+  }
+
+  makeHeld(): void {
+    const make = this.held;
+    this.held = null;
+    make?.();
   }
 
   change(patch: object, gesture = this.newGesture()): void {
+    this.makeHeld();
+    this.changeAutomatically(patch, gesture);
+  }
+
+  /** For a change that is no action of the user. The change that is held stays held. */
+  changeAutomatically(patch: object, gesture: string): void {
     const { scene } = this;
     if (scene === null) return;
     const part = this.withoutLost(patch as JsonObject, scene);
     const changed = keptEqual(scene, patched(scene, part));
     if (changed === scene) return;
+    this.newestGesture = gesture;
     const newest = this.queue.at(-1);
     const both = newest?.gesture === gesture ? composePatches(newest.patch, part) : null;
     if (newest !== undefined && both !== null) newest.patch = both;
@@ -141,12 +166,16 @@ export class SceneEditor {
     this.requestFlush();
   }
 
-  /** Makes an automatic change. It is undone together with the previous change, also one before a reload of the page. */
+  /**
+   * Makes an automatic change. It is undone together with the previous change, also one before a reload of the page. If
+   * the server has restarted since, it is a step of its own.
+   */
   amend(patch: object): void {
-    this.change(patch, this.newestGesture);
+    this.changeAutomatically(patch, this.newestGesture);
   }
 
   replace(scene: Scene, gesture?: string): void {
+    this.makeHeld();
     const before = this.scene;
     if (before === null) return;
     this.change(diff(before as unknown as JsonObject, scene as unknown as JsonObject), gesture);
@@ -182,6 +211,7 @@ export class SceneEditor {
     this.doubtful = this.asking = false;
     this.travelling = 0;
     this.history.found(state.scene);
+    if (state.revision === FIRST_REVISION) this.history.endGesture();
     this.adopt(state, []);
     if (unsent && mine !== null) this.replace(mine);
   }
@@ -218,6 +248,7 @@ export class SceneEditor {
 
   /** Sends the scene as one change. The local scene changes only after the server has accepted the scene. */
   async propose(scene: Scene): Promise<void> {
+    this.makeHeld();
     const patch = diff((this.scene ?? {}) as unknown as JsonObject, scene as unknown as JsonObject);
     await this.travel(
       async (server) => {
@@ -284,6 +315,7 @@ export class SceneEditor {
     arrived: (scene: Scene) => void,
     refused = (error: Error) => this.events.refused(error),
   ): Promise<void> {
+    this.makeHeld();
     const server = this.server;
     if (server === null) {
       this.events.refused(new Error("The session is not open. Try again when the picture is back"));

@@ -35,6 +35,11 @@ export class SceneHistory {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
   }
 
+  /** The next change is a step of its own. Call when the session is new: the server does not know the gesture. */
+  endGesture(): void {
+    this.gesture = "";
+  }
+
   /** Call when the server has this scene. Any client may have changed it. */
   found(scene: Scene): void {
     const found = scene as unknown as JsonObject;

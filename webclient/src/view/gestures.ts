@@ -93,13 +93,14 @@ class Gestures {
     const others = [...this.fingers].filter(([id]) => id !== event.pointerId).map(([, finger]) => finger);
     this.fingers.set(event.pointerId, now);
     this.travelled += Math.hypot(now.x - before.x, now.y - before.y);
-    const camera = this.target.camera();
-    if (camera === null || this.travelled < CLICK_SLOP) return;
+    if (this.travelled < CLICK_SLOP) return;
     const [other] = others;
     if (other === undefined && this.drag === "orbit") {
       this.target.turn(now.x - before.x, now.y - before.y, this.gesture);
       return;
     }
+    const camera = this.target.camera();
+    if (camera === null) return;
     const next = other === undefined ? this.dragged(camera, before, now) : this.pinched(camera, before, now, other);
     this.target.move(next, this.gesture);
   }
