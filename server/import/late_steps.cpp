@@ -42,9 +42,8 @@ class LateReader {
 public:
     explicit LateReader(const LateOptions& options)
         : dataset_(store::Dataset::open(options.dataset, store::LackingRanges::left_out, std::nullopt, options.folder)),
-          allow_bad_(options.allow_bad), folder_(options.folder.empty() ? options.dataset : options.folder),
-          facts_(dataset_->info().late), writer_(dataset_, options.folder, [] { progress(0, "waiting"); }),
-          selection_(facts_.arrays()) {}
+          allow_bad_(options.allow_bad), facts_(dataset_->info().late),
+          writer_(dataset_, options.folder, [] { progress(0, "waiting"); }), selection_(facts_.arrays()) {}
 
     void run(std::vector<std::size_t> steps) {
         for (const std::size_t step : steps) (void)dataset_->steps().at(step); // throws if there is no such step
@@ -82,7 +81,7 @@ private:
         if (source_) return;
         facts_.check_inputs();
         source_ = open_source(facts_.inputs(), facts_.source_options());
-        arrays_.emplace(selection_, *source_, FieldComponents(components_of(*dataset_)), folder_);
+        arrays_.emplace(selection_, *source_, FieldComponents(components_of(*dataset_)), writer_.directory());
     }
 
     [[nodiscard]] std::size_t step_of_source(std::size_t step) const {
@@ -177,7 +176,7 @@ private:
     }
 
     [[nodiscard]] StepMesh matched_mesh(const InputGrids& input_grids, std::size_t step) const {
-        StepMesh mesh = build_step_mesh(input_grids, facts_.weld(), difference_across, folder_);
+        StepMesh mesh = build_step_mesh(input_grids, facts_.weld(), difference_across, writer_.directory());
         mesh.cells.reset();
         const ciel::FaceMeshView stored = dataset_->mesh_arrays().points(0, 0);
         if (!std::ranges::equal(mesh.point_of_vertex, dataset_->original_vertex(0)) ||
@@ -190,7 +189,6 @@ private:
 
     std::shared_ptr<store::Dataset> dataset_;
     const bool allow_bad_;
-    const std::filesystem::path folder_; // of large temporary files
     SourceFacts facts_;
     store::LateWriter writer_;
     ArraySelection selection_;

@@ -62,6 +62,12 @@ std::string describe_signal(int signal, const std::string& input, const ImportLi
                ": the import was killed from outside, most likely because the machine ran out of memory, and the file "
                "may be sound. Free some memory, or set a lower --memory-limit to get an error instead" +
                outcome;
+    if (signal == SIGBUS)
+        return input +
+               ": a file became shorter while the import used it, or a disk failed. Check the disks of the input and "
+               "of "
+               "the output, and import it again" +
+               outcome;
     std::string sentence = input + ": the reader crashed (" + ::strsignal(signal) + "): the file is damaged";
     if (limits.memory_gigabytes > 0)
         sentence += ", or the import needs more than the " + number(limits.memory_gigabytes) + " GB of --memory-limit";

@@ -28,6 +28,8 @@ public:
     // Declares that the source has no other late arrays at this step, and tells readers that arrays were written.
     void end_step(std::size_t step);
     void tell_readers() const; // that arrays were written
+    // In which the files are written: that of the dataset, or one beside others in `folder`.
+    [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
 private:
     void write(const Step& step, const ArrayInfo& array, std::uint64_t chunk, ciel::ValuesView values);
@@ -38,7 +40,7 @@ private:
 
     std::shared_ptr<const Dataset> dataset_;
     LateFiles files_;
-    std::filesystem::path directory_; // in which the files are written
+    std::filesystem::path directory_;
     Descriptor lock_;
     std::map<std::size_t, ciel::Topology> topologies_; // by mesh
 };

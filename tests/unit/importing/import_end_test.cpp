@@ -8,17 +8,25 @@ namespace server::importing {
 namespace {
 
 using testing::EndsWith;
+using testing::HasSubstr;
 using testing::StartsWith;
 
-processes::ChildEnd crashed() {
+processes::ChildEnd crashed(int signal = SIGSEGV) {
     processes::ChildEnd end;
-    end.signal = SIGSEGV;
+    end.signal = signal;
     return end;
 }
 
 TEST(ImportEnd, OfAWholeImportLeavesNothing) {
     const std::string sentence = describe_end(crashed(), {{"inputs", {"box.vtu"}}, {"step", {}}}, {});
     EXPECT_THAT(sentence, StartsWith("box.vtu: the reader crashed"));
+    EXPECT_THAT(sentence, EndsWith("; nothing was written"));
+}
+
+TEST(ImportEnd, AFailedDiskIsNoDamagedFile) {
+    const std::string sentence = describe_end(crashed(SIGBUS), {{"inputs", {"box.vtu"}}}, {});
+    EXPECT_THAT(sentence, HasSubstr("a disk failed"));
+    EXPECT_THAT(sentence, Not(HasSubstr("damaged")));
     EXPECT_THAT(sentence, EndsWith("; nothing was written"));
 }
 
