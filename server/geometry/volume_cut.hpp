@@ -25,10 +25,10 @@ struct Slabs {
 [[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
                                   double length);
 
-// Returns the number of slices in a still picture, if the scene does not give it. Slabs are about as thick in all
-// directions. They are thinner if the opacity rises steeply, because a steep rise looks like a surface with a visible
-// step at each slab. `length`: thickness of all slabs together; `mean_edge`: mean edge of the mesh's bounds;
-// `steepest`: from steepness().
+// Returns the number of slices in a still picture, if the scene does not give it. A slab has about the same thickness
+// from every direction of view. It is thinner if the opacity rises steeply, because a steep rise looks like a surface
+// with a visible step at each slab. `length`: thickness of all slabs together; `mean_edge`: mean edge of the mesh's
+// bounds; `steepest`: from steepness().
 [[nodiscard]] std::size_t usual_slices(double length, double mean_edge, std::size_t vertices, double steepest);
 // Returns the greatest slope of the extinction (per unit length) over the property, scaled to the range 0 to 1.
 [[nodiscard]] double steepness(std::span<const std::array<double, 2>> opacity_points);

@@ -96,9 +96,9 @@ Box box_of(const geometry::Geometry& geometry, const std::vector<scene::Layer>& 
 }
 
 // Positions are offsets from the geometry's origin.
-class View {
+class ViewFrustum {
 public:
-    View(const geometry::Geometry& geometry, const scene::CheckedScene& checked, geometry::ViewSize size) {
+    ViewFrustum(const geometry::Geometry& geometry, const scene::CheckedScene& checked, geometry::ViewSize size) {
         const auto view = annotations::view_transform(
             geometry::viewpoint_of(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height)));
         clip_of_ = view.projection * view.view;
@@ -113,7 +113,7 @@ private:
 };
 
 template <class Counts>
-Box box_in_view(const geometry::Geometry& geometry, const std::vector<scene::Layer>& layers, const View& view,
+Box box_in_view(const geometry::Geometry& geometry, const std::vector<scene::Layer>& layers, const ViewFrustum& view,
                 Counts counts) {
     Box box;
     const geometry::ClipPlanes cutter(geometry);
@@ -132,7 +132,7 @@ Box box_in_view(const geometry::Geometry& geometry, const std::vector<scene::Lay
 
 std::optional<geometry::BoundingBox> bounds_in_view(const geometry::Geometry& geometry,
                                                     const scene::CheckedScene& checked, geometry::ViewSize size) {
-    const View view(geometry, checked, size);
+    const ViewFrustum view(geometry, checked, size);
     const std::vector<scene::Layer>& layers = checked.scene().layers;
     Box box = box_in_view(geometry, layers, view, shows_part);
     if (box.is_empty()) box = box_in_view(geometry, layers, view, [](const scene::Layer&) { return true; });

@@ -37,12 +37,12 @@ std::vector<ArrayName> arrays_of_blocks(vtkExodusIIReader& reader) {
     return arrays;
 }
 
-struct Steps {
+struct StepCounts {
     std::uint64_t declared = ~std::uint64_t{0}, complete = ~std::uint64_t{0};
 };
 
-// For an HDF5 file, returns default Steps, which are no limit: the HDF5 library itself detects a cut-off file.
-Steps count_steps(const std::string& file) {
+// For an HDF5 file, returns default StepCounts, which are no limit: the HDF5 library itself detects a cut-off file.
+StepCounts count_steps(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     const auto extent = read_netcdf_extent(stream, file);
     const std::uint64_t size = std::filesystem::file_size(file);
@@ -51,14 +51,14 @@ Steps count_steps(const std::string& file) {
         throw ciel::Error(file + ": has " + std::to_string(size) + " of the " + std::to_string(extent->fixed_end) +
                           " bytes that its mesh needs; copy the file again");
     if (extent->records == 0) return {};
-    const Steps steps{extent->records, extent->records_within(size)};
+    const StepCounts steps{extent->records, extent->records_within(size)};
     if (steps.complete == 0) throw ciel::Error(file + ": ends before the end of its first step; copy the file again");
     return steps;
 }
 
 class ExodusSource : public ReaderSource {
 public:
-    ExodusSource(const std::string& file, vtkExodusIIReader* reader, const Steps& steps)
+    ExodusSource(const std::string& file, vtkExodusIIReader* reader, const StepCounts& steps)
         : ReaderSource(
               "Exodus II", file, reader, [&] { return arrays_of_blocks(*reader); }, steps.complete) {
         if (steps.complete < steps.declared)
@@ -97,7 +97,7 @@ private:
 } // namespace
 
 std::unique_ptr<Source> open_exodus(const Inputs& inputs, const SourceOptions&) {
-    const Steps steps = count_steps(inputs.front());
+    const StepCounts steps = count_steps(inputs.front());
     vtkNew<vtkExodusIIReader> reader;
     reader->SetFileName(inputs.front().c_str());
     reader->SetApplyDisplacements(0); // does not move the points; the displacement is an array

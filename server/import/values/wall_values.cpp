@@ -91,7 +91,7 @@ void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std:
                                  std::span<T> points) const {
     for (std::size_t patch = 0; patch < planes_.size(); ++patch) {
         if (roles[patch] != PatchRole::plane) continue;
-        for (const Plane& plane : planes_[patch]) {
+        for (const WallPlane& plane : planes_[patch]) {
             if (kinds[plane.vertex] == wall_at_rest || kinds[plane.vertex] == fixed) continue;
             T* const at = &points[3 * std::size_t{vertices_[plane.vertex]}];
             const ciel::Vec3d along = ciel::without_parts_along(plane.normals, {at[0], at[1], at[2]});

@@ -42,7 +42,7 @@ private:
         std::size_t cell;   // cell id in the patch's surface
         double weight;      // the weights of a vertex sum to the area of the patch's faces around it
     };
-    struct Plane {
+    struct WallPlane {
         ciel::Index vertex; // index into vertices_
         std::vector<ciel::Vec3d> normals;
     };
@@ -50,9 +50,9 @@ private:
     void put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
                          std::span<T> points) const;
 
-    std::vector<ciel::Index> vertices_;       // ids of the vertices on patches
-    std::vector<std::vector<Entry>> entries_; // per patch
-    std::vector<std::vector<Plane>> planes_;  // per patch
+    std::vector<ciel::Index> vertices_;          // ids of the vertices on patches
+    std::vector<std::vector<Entry>> entries_;    // per patch
+    std::vector<std::vector<WallPlane>> planes_; // per patch
 };
 
 [[nodiscard]] bool holds_only_zero(ciel::ValuesView values);

@@ -127,9 +127,10 @@ std::string next_parts_seen(int parts) {
     return text;
 }
 
-// For pictures in which one ray is used for several pixels. Beside an outline of an opaque surface, a pixel uses the
-// ray around it whose opaque depth is nearest to its own. At an outline, the depth differs from the depth interpolated
-// between the rays by at least 1 % of the depth range; a thinner piece of a volume is not visible.
+// For pictures in which one ray is used for several pixels. At an outline of an opaque surface, some of the rays around
+// a pixel end at the surface and others pass it. The pixel uses the one that ends nearest to its own depth. At an
+// outline, the depth differs from the depth interpolated between the rays by at least 1 % of the depth range; a thinner
+// piece of a volume is not visible.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;

@@ -43,7 +43,7 @@ public:
 
     template <class T>
     T take() {
-        if (bytes_.size() < sizeof(T)) refuse_damage(file_, "has a step that ends too early");
+        if (bytes_.size() < sizeof(T)) refuse_damage(file_, "lacks the last bytes of a step");
         T value;
         std::memcpy(&value, bytes_.data(), sizeof value);
         bytes_ = bytes_.subspan(sizeof value);

@@ -349,7 +349,7 @@ TEST_F(TabledSteps, ThatNameWhatDoesNotExistAreRefused) {
     EXPECT_THAT(refusal(64, 77), HasSubstr("has an array that the commit marker does not list for the step's mesh"));
     EXPECT_THAT(refusal(64 + 8, 100'000), HasSubstr("the commit marker lists step 100000"));
     EXPECT_THAT(refusal(64 + 56, 2), HasSubstr("is damaged"));
-    EXPECT_THAT(refusal(64 + 56, 1'000'000), HasSubstr("ends too early"));
+    EXPECT_THAT(refusal(64 + 56, 1'000'000), HasSubstr("lacks the last bytes of a step"));
     EXPECT_THAT(refusal(64 + 4, 0), HasSubstr("is damaged"));
     EXPECT_THAT(refusal(64 + 60, 0), HasSubstr("is damaged"));
 }

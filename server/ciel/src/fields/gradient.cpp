@@ -316,7 +316,7 @@ void Pass::sum_at_border(Index b) {
                 return (states(blocks_.cells(at.block))[at.vertex] & wanted) != 0;
             };
             const auto first = std::ranges::find_if(scratch.ring, is_wanted);
-            if (first == scratch.ring.end() || first->block != b) continue; // the block of `first` sums the gradient
+            if (first == scratch.ring.end() || first->block != b) continue; // another block sums this gradient
             AddStored add([this](Index other, Index cell) { return solved_[other].of(cell); });
             for_cells_around(blocks_, scratch.ring, scratch.cells, add);
             for (const BlockVertex at : scratch.ring)

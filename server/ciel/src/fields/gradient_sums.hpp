@@ -58,7 +58,9 @@ public:
         }
 
         const Block& block_;
-        Index ghosts_, own_;        // own_ + local id is the mesh vertex of an owned vertex; own_ may wrap below 0
+        // An owned vertex has the mesh id own_ + its local id. The sum is modulo 2^32, so own_ may stand for a number
+        // below 0.
+        Index ghosts_, own_;
         const Position* positions_; // by mesh vertex
         const Value* values_;       // by local vertex
     };

@@ -10,7 +10,7 @@ namespace ciel::detail {
 
 template <class Side>
 struct PolygonSides {
-    std::vector<Index> begin; // by lower point: first index in `side`; then the size of `side`
+    std::vector<Index> begin; // by lower point: its first index in `side`; the last item is the size of `side`
     std::vector<Side> side;
 
     [[nodiscard]] std::span<Side> of(Index lower) {

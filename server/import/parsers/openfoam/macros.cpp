@@ -32,7 +32,9 @@ private:
     void add(std::string_view text, int depth) {
         if (depth > deepest) fail("its #include directives are nested too deep");
         for (std::size_t at = 0; at < text.size();) {
-            if (out_.size() > longest_text) fail("its macros expand to more text than can be read");
+            if (out_.size() > longest_text)
+                fail("its macros expand to more than " + std::to_string(longest_text >> 20) +
+                     " MiB; does one contain itself?");
             if (text.substr(at).starts_with("//")) {
                 at = std::min(text.find('\n', at), text.size());
             } else if (text.substr(at).starts_with("/*")) {

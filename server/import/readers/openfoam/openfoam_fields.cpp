@@ -179,10 +179,10 @@ std::string at_time(double time) {
     return text.str();
 }
 
-class StepReader {
+class FoamFieldReader {
 public:
-    StepReader(const FoamCase& foam, const std::string& region, double time, const FoamMesh& mesh,
-               std::vector<std::string>& lost)
+    FoamFieldReader(const FoamCase& foam, const std::string& region, double time, const FoamMesh& mesh,
+                    std::vector<std::string>& lost)
         : time_(time), mesh_(mesh), lost_(lost) {
         for (const FoamPiece& piece : mesh.pieces) {
             const FoamRoot& root = foam.roots[piece.root];
@@ -277,7 +277,7 @@ std::map<std::string, FoamArrays> read_foam_fields(const FoamCase& foam, const s
                                                    const FoamMesh& mesh, const FoamFieldInfos& infos,
                                                    std::vector<std::string>& lost) {
     std::map<std::string, FoamArrays> arrays;
-    StepReader reader(foam, region, time, mesh, lost);
+    FoamFieldReader reader(foam, region, time, mesh, lost);
     for (const std::string& name : reader.names(infos)) {
         const auto info = infos.find(name);
         if (auto read = reader.read(name, info == infos.end() ? 0 : info->second.components))
