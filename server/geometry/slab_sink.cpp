@@ -126,10 +126,10 @@ void SlabSink::write(const ciel::BlockPolygons& cut, Piece& piece) const {
     piece.triangles.clear();
     piece.triangles.reserve(3 * (cut.polygon_point.size() - 2 * cut.polygon_count()));
     FanWriter fans(piece);
-    ciel::CellLimits limits(property.topology, property.value);
+    ciel::CellLimits limits(property.topology);
     for (std::size_t i = 0; i < cut.polygon_count(); ++i)
         if (const ciel::Index cell = cut.cell_begin + cut.polygon_cell[i]; property.filled[cell] != 0)
-            fans.add(cut.polygon(i), limits.of(cell));
+            fans.add(cut.polygon(i), limits.of(cell, property.value));
 }
 
 void SlabSink::join(std::span<const Piece* const> pieces, Out& out) const {
@@ -157,10 +157,11 @@ SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property)
         out.vertices.push_back({faces.positions[i], property.value[vertex], property.gradient[vertex], {}});
     }
     FanWriter fans(out);
-    ciel::CellLimits limits(property.topology, property.value);
+    ciel::CellLimits limits(property.topology);
     for (std::size_t i = 0; i < faces.polygon_cell.size(); ++i) {
         const ciel::Index begin = faces.polygon_offset[i], end = faces.polygon_offset[i + 1];
-        fans.add(std::span(faces.polygon_vertex).subspan(begin, end - begin), limits.of(faces.polygon_cell[i]));
+        fans.add(std::span(faces.polygon_vertex).subspan(begin, end - begin),
+                 limits.of(faces.polygon_cell[i], property.value));
     }
     return out;
 }

@@ -24,12 +24,17 @@ public:
     std::size_t fail_at = 0; // 0: never
 };
 
+MatchedCells matched_cells(const Polyhedra& input) {
+    const auto owner = std::make_shared<const Polyhedra>(input);
+    return {view(*owner), owner};
+}
+
 class BuildRecords : public testing::TestWithParam<NamedMesh> {};
 
 TEST_P(BuildRecords, MakesTheRecordsOfATopology) {
     const Polyhedra input = GetParam().make();
     const Assembled assembled = assemble(view(input));
-    const MatchedCells matched(view(input));
+    const MatchedCells matched = matched_cells(input);
     for (const Index cells_per_block : {1U, 7U, 32U, 4096U}) {
         const CopiedRecords expected{Topology(assembled.mesh.view(), {cells_per_block})};
         Collected from_faces, from_cells;
@@ -45,10 +50,15 @@ TEST_P(BuildRecords, MakesTheRecordsOfATopology) {
     }
 }
 
+TEST(BuildRecordsOf, CellsWithoutAnOwnerAreRefused) {
+    const Polyhedra input = all_meshes().front().make();
+    EXPECT_THROW(MatchedCells(view(input), nullptr), Error);
+}
+
 TEST_P(BuildRecords, AgreesWithTheListOfFaces) {
     const Polyhedra input = GetParam().make();
     const Assembled assembled = assemble(view(input));
-    const MatchedCells matched(view(input));
+    const MatchedCells matched = matched_cells(input);
     const FaceMesh boundary = matched.boundary();
     const FaceLists expected = numbered_faces(assembled.mesh.view(), {});
     EXPECT_EQ(boundary.face_vertex, expected.face_vertex);
@@ -73,7 +83,7 @@ TEST(BuildRecordsOf, AGiantCellAreTheSame) {
     for (const Index cells_per_block : {100U, 4096U}) {
         const CopiedRecords expected{Topology(assembled.mesh.view(), {cells_per_block})};
         Collected from_cells;
-        (void)build_records(MatchedCells(view(input)), from_cells, {cells_per_block});
+        (void)build_records(matched_cells(input), from_cells, {cells_per_block});
         EXPECT_TRUE(from_cells.records == expected.records) << cells_per_block;
     }
 }

@@ -164,9 +164,10 @@ TEST_P(Sweep, ASlabLeavesOutWhatHasNoValue) {
                 if (faces.neighbour[face] != none) is_empty[faces.neighbour[face]] = true;
             }
     const auto expected_limits = limits_of_faces(faces, property, is_empty);
-    CellLimits limits(mesh.topology, property);
-    for (Index cell = 0; cell < expected_limits.size(); ++cell) ASSERT_EQ(limits.of(cell), expected_limits[cell]);
-    EXPECT_THROW((void)limits.of(faces.cell_count()), Error);
+    CellLimits limits(mesh.topology);
+    for (Index cell = 0; cell < expected_limits.size(); ++cell)
+        ASSERT_EQ(limits.of(cell, property), expected_limits[cell]);
+    EXPECT_THROW((void)limits.of(faces.cell_count(), property), Error);
     const VolumeProperty volume(mesh.topology, faces, property);
     std::vector<geometry::SlabSink::Out> out;
     ASSERT_TRUE(sweep(mesh.topology, faces, field, values, geometry::SlabSink{volume.view()}, out, {}, how));

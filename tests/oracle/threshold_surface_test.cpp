@@ -182,7 +182,7 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             const Boundary boundary(mesh.mesh());
             const Surface faces = threshold_surface(mesh.topology, boundary.faces(), boxes, kept, CollapsedFaces::keep);
             const color::SlabMesh slab = geometry::slab_boundary(faces, {mesh.topology, values, gradients, kept});
-            CellLimits limits(mesh.topology, values);
+            CellLimits limits(mesh.topology);
             Areas found, wanted;
             std::vector<Vec3f> positions;
             for (const color::SlabVertex& vertex : slab.vertices) positions.push_back(vertex.position);
@@ -190,7 +190,7 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             for (std::size_t face = 0; face < faces.polygon_cell.size(); ++face) {
                 const Index cell = faces.polygon_cell[face];
                 for (std::size_t k = 2; k < polygon(faces, face).size(); ++k, at += 3) {
-                    EXPECT_EQ(slab.vertices.at(slab.triangles.at(at)).limits, limits.of(cell));
+                    EXPECT_EQ(slab.vertices.at(slab.triangles.at(at)).limits, limits.of(cell, values));
                     add_polygon(found, cell, vector_area(positions, std::span(slab.triangles).subspan(at, 3)));
                 }
             }

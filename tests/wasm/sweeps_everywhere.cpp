@@ -34,9 +34,10 @@ void record_sweeps(const Meshes& meshes, const FieldPair& fields, Results& resul
         results.record(where, "slice triangles", slices[i].triangles);
         record_slab(where + " / slab", slabs[i], results);
     }
-    CellLimits limits(meshes.topology, fields.others);
+    CellLimits limits(meshes.topology);
     std::vector<std::array<float, 2>> of_cells;
-    for (Index cell = 0; cell < meshes.topology.counts().cells; ++cell) of_cells.push_back(limits.of(cell));
+    for (Index cell = 0; cell < meshes.topology.counts().cells; ++cell)
+        of_cells.push_back(limits.of(cell, fields.others));
     results.record(fields.where, "cell limits", of_cells);
     record_slab(fields.where + " / slab boundary", property.boundary(meshes.view()), results);
 }

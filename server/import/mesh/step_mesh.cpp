@@ -165,8 +165,8 @@ void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, 
     name_zones(found, mesh);
 }
 
-PieceJoins find_cuts(const JoinedMesh& joined, const InputGrids& input_grids) {
-    if (has_pieces(joined)) return find_cut_between_pieces(ciel::MatchedCells(joined.view()), joined);
+PieceJoins find_cuts(const std::shared_ptr<const JoinedMesh>& joined, const InputGrids& input_grids) {
+    if (has_pieces(*joined)) return find_cut_between_pieces(ciel::MatchedCells(joined->view(), joined), *joined);
     return {input_grids.same_points, input_grids.joined_faces, input_grids.single_faces, 0};
 }
 
@@ -180,10 +180,10 @@ std::vector<T> reordered(std::span<const T> running, std::span<const ciel::Index
     return stored;
 }
 
-void find_cells(JoinedMesh joined, StepMesh& mesh) {
+void find_cells(std::shared_ptr<const JoinedMesh> joined, StepMesh& mesh) {
     mesh.cells = std::make_unique<NewCells>(std::move(joined));
     const ciel::MatchedCells& matched = mesh.cells->matched;
-    describe_assembly(mesh.cells->joined, matched.report(), mesh);
+    describe_assembly(*mesh.cells->joined, matched.report(), mesh);
     if (matched.original_cell().empty())
         throw ciel::Error("none of its " + std::to_string(mesh.input_cells) +
                           " cells can be used: " + reason_text(matched.report().bad_cells.at(0).reason));
@@ -195,11 +195,11 @@ void find_cells(JoinedMesh joined, StepMesh& mesh) {
     mesh.point_of_vertex.assign(matched.original_vertex().begin(), matched.original_vertex().end());
     mesh.cell_of_cell.reserve(matched.original_cell().size());
     for (const ciel::Index cell : matched.original_cell())
-        mesh.cell_of_cell.push_back(mesh.cells->joined.source_cell[cell]);
+        mesh.cell_of_cell.push_back(mesh.cells->joined->source_cell[cell]);
 }
 
 void name_groups(const InputGrids& input_grids, const std::vector<ciel::Index>& representative, StepMesh& mesh) {
-    const JoinedMesh& joined = mesh.cells->joined;
+    const JoinedMesh& joined = *mesh.cells->joined;
     mesh.patches = match_patches(mesh.view(), mesh.point_of_vertex, joined, representative, input_grids.surfaces);
     name_patches(input_grids.surfaces, mesh);
     name_members(joined, mesh);
@@ -212,7 +212,8 @@ void name_groups(const InputGrids& input_grids, const std::vector<ciel::Index>& 
 StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDifference& difference,
                          const std::filesystem::path& folder) {
     require_volumes(input_grids);
-    JoinedMesh joined = join_input_grids(input_grids.volumes, folder);
+    const auto owner = std::make_shared<JoinedMesh>(join_input_grids(input_grids.volumes, folder));
+    JoinedMesh& joined = *owner;
     if (joined.cell_types.empty() && joined.convex_point_sets > 0)
         throw ciel::Error("holds only convex point sets, cells without faces; write them as polyhedra");
     if (joined.cell_types.empty()) throw ciel::Error("holds no volume cells");
@@ -226,7 +227,7 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     describe_joining(joined, mesh);
     for (std::string& sentence : degenerate_cells(joined)) mesh.notes.push_back(std::move(sentence));
 
-    const PieceJoins cut = weld == Weld::seams ? find_cuts(joined, input_grids) : PieceJoins{};
+    const PieceJoins cut = weld == Weld::seams ? find_cuts(owner, input_grids) : PieceJoins{};
     Welds welds = find_welds(joined, weld, cut, difference);
     if (has_pieces(joined)) mesh.joined_pieces = cut.points;
     if (weld == Weld::none && (!input_grids.same_points.empty() || has_pieces(joined)))
@@ -237,10 +238,10 @@ StepMesh build_step_mesh(const InputGrids& input_grids, Weld weld, const SeamDif
     if (!welds.representative.empty())
         JoinedMesh::for_vertices(joined, [&](ciel::Index& vertex) { vertex = welds.representative[vertex]; });
 
-    find_cells(std::move(joined), mesh);
+    find_cells(owner, mesh);
     name_groups(input_grids, welds.representative, mesh);
-    describe_shapes(mesh.cells->joined, mesh);
-    mesh.members = mesh.cells->joined.members;
+    describe_shapes(joined, mesh);
+    mesh.members = joined.members;
     return mesh;
 }
 

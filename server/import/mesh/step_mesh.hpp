@@ -13,9 +13,10 @@ namespace server::importer {
 
 // The cells of a mesh that is not yet written.
 struct NewCells {
-    explicit NewCells(JoinedMesh mesh) : joined(std::move(mesh)), matched(joined.view()) {}
+    explicit NewCells(std::shared_ptr<const JoinedMesh> mesh)
+        : joined(std::move(mesh)), matched(joined->view(), joined) {}
 
-    JoinedMesh joined;
+    std::shared_ptr<const JoinedMesh> joined;
     ciel::MatchedCells matched;
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace ciel {
 
@@ -17,17 +18,14 @@ inline constexpr std::array<float, 2> no_limits{std::numeric_limits<float>::infi
 // object is small, so each thread makes its own.
 class CellLimits {
 public:
-    // `values`: one for each vertex. The topology and the values must outlive this object. Throws Error when `values`
-    // has another size.
-    CellLimits(const Topology& topology, std::span<const float> values);
+    explicit CellLimits(Topology topology) : topology_(std::move(topology)) {}
     // Returns [min, max] of the values at the vertices of the cell, or no_limits if a value is NaN or infinite, or if
-    // the cell has no faces. Faster if the cell before was in the same block. Throws Error when the mesh has no such
-    // cell, and when a record is damaged.
-    [[nodiscard]] std::array<float, 2> of(Index cell);
+    // the cell has no faces. `values`: one for each vertex. Faster if the cell before was in the same block. Throws
+    // Error when `values` has another size or the mesh has no such cell, and when a record is damaged.
+    [[nodiscard]] std::array<float, 2> of(Index cell, std::span<const float> values);
 
 private:
-    const Topology& topology_;
-    std::span<const float> values_;
+    Topology topology_;
     Index block_ = 0, cell_begin_ = 0, cell_end_ = 0; // the block of the cell before, and its cells
 };
 

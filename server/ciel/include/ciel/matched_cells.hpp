@@ -12,9 +12,10 @@ namespace ciel {
 // Cells, faces and vertices have the order of Assembled. Immutable after construction and thread-safe.
 class MatchedCells {
 public:
-    // The arrays of `input` must outlive the object. Throws Error when an array has a wrong size or a cell type is
-    // unknown. A bad cell does not throw; it is left out and counted in the report. Uses all threads of parallel_for.
-    explicit MatchedCells(const PolyhedraView& input);
+    // `owner` owns the arrays of `input`; the object keeps it alive. Throws Error without an owner, and when an array
+    // has a wrong size or a cell type is unknown. A bad cell does not throw; it is left out and counted in the report.
+    // Uses all threads of parallel_for.
+    MatchedCells(const PolyhedraView& input, std::shared_ptr<const void> owner);
     ~MatchedCells();
     MatchedCells(MatchedCells&&) noexcept;
     MatchedCells& operator=(MatchedCells&&) noexcept;

@@ -11,13 +11,10 @@ namespace ciel {
 
 using namespace detail;
 
-CellLimits::CellLimits(const Topology& topology, std::span<const float> values) : topology_(topology), values_(values) {
-    if (values.size() != topology.counts().vertices)
-        fail("cell limits need one value for each vertex of the mesh; pass as many values as the mesh has vertices");
-}
-
-std::array<float, 2> CellLimits::of(Index cell) {
+std::array<float, 2> CellLimits::of(Index cell, std::span<const float> values) {
     const Topology::Blocks& blocks = topology_.blocks();
+    if (values.size() != topology_.counts().vertices)
+        fail("cell limits need one value for each vertex of the mesh; pass as many values as the mesh has vertices");
     if (cell < cell_begin_ || cell >= cell_end_) {
         if (cell >= topology_.counts().cells) fail("the mesh has no such cell; pass a cell of the topology's mesh");
         block_ = blocks.block_of_cell(cell);
@@ -28,7 +25,7 @@ std::array<float, 2> CellLimits::of(Index cell) {
     read_loops(blocks.cells(block_), cell - cell_begin_, loops);
     std::array<float, 2> range = no_limits;
     for (const Index vertex : loops.vertex) {
-        const float value = values_[vertex];
+        const float value = values[vertex];
         if (!std::isfinite(value)) return no_limits;
         range = {std::min(range[0], value), std::max(range[1], value)};
     }

@@ -48,7 +48,9 @@ void write_loops(const MatchedCells::Data& cells, FaceMesh& out) {
 } // namespace
 
 Assembled assemble(const PolyhedraView& input) {
-    const MatchedCells matched(input);
+    const std::shared_ptr<const void> caller(std::shared_ptr<const void>(),
+                                             &input); // whose arrays live during the call
+    const MatchedCells matched(input, caller);
     const MatchedCells::Data& cells = matched.data();
     Assembled out;
     out.mesh = cells.points();

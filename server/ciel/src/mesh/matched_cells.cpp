@@ -207,7 +207,9 @@ FaceMesh MatchedCells::Data::points() const {
     return mesh;
 }
 
-MatchedCells::MatchedCells(const PolyhedraView& view) : data_(std::make_unique<Data>(view)) {
+MatchedCells::MatchedCells(const PolyhedraView& view, std::shared_ptr<const void> owner)
+    : data_(std::make_unique<Data>(view, std::move(owner))) {
+    if (data_->owner == nullptr) fail("the arrays of the cells have no owner; pass it, so that they stay alive");
     Judged judged = judge_cells(data_->input);
     data_->neighbour = neighbours_of(data_->input, judged, data_->report);
     judged.volume = {};
