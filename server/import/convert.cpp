@@ -34,8 +34,13 @@ public:
         const std::vector<double>& times = source_.times();
         check_listing();
         add_step(times[0]);
+        finished_steps_ = 1;
         step_ = leave_steps_late() ? times.size() : 1;
-        for (; step_ < times.size(); ++step_) add_step(times[step_]);
+        for (; step_ < times.size(); ++step_) {
+            finished_steps_ = step_;
+            add_step(times[step_]);
+        }
+        finished_steps_ = times.size();
         if (!writer_) throw ciel::Error(first_reason_);
         selection_.check();
         if (!arrays_.components().is_of_most_steps()) return std::nullopt;
@@ -51,7 +56,7 @@ private:
     // `phase_share`: finished share of the current step, in [0, 1].
     void tell(double phase_share, const std::string& what) const {
         const auto steps = static_cast<double>(source_.times().size());
-        const double done = std::min((static_cast<double>(step_) + phase_share) / steps, 1.0);
+        const double done = std::min((static_cast<double>(finished_steps_) + phase_share) / steps, 1.0);
         std::string phase = what;
         if (steps > 1 && static_cast<double>(step_) < steps)
             phase.append(", step ")
@@ -115,13 +120,46 @@ private:
         arrays_.make(step_, mesh_, input_grids, topology, point_maker_, know);
     }
 
-    // Reads the last step. If it has the mesh of the first one, adds all steps, and those between the two are late.
-    // Otherwise returns false; the last step is then read again.
+    // Returns whether some of the steps between the first and the last one list an array that both of them lack. It
+    // would not be in the dataset.
+    bool has_more_arrays_between() {
+        constexpr std::size_t most_listed = 16;
+        const std::size_t last = source_.times().size() - 1;
+        std::set<std::pair<FieldOf, std::string>> known;
+        const auto has_unknown = [&](std::size_t step) {
+            bool found = false;
+            for (const ArrayName& array : source_.listed_arrays(step).value_or(std::vector<ArrayName>()))
+                found |= known.emplace(array.of, array.name).second;
+            return found;
+        };
+        try {
+            (void)has_unknown(0);
+            (void)has_unknown(last);
+            for (std::size_t step = 1; step < last; step += std::max<std::size_t>(last / most_listed, 1))
+                if (has_unknown(step)) return true;
+        } catch (const ciel::Error&) { // a file is missing; the error is told when its step is read
+        }
+        return false;
+    }
+
+    // A mesh may move and come back until the last step.
+    bool has_mesh_of_first(const InputGrids& input_grids) const {
+        const Fingerprint print = fingerprint(input_grids);
+        return print.cells == print_.cells && print.positions == print_.positions;
+    }
+
+    // Reads the last step. If it and the one in the middle have the mesh of the first one, adds all steps, and those
+    // between the first and the last one are late. Otherwise returns false; the steps are then read again.
     bool leave_steps_late() {
         const std::vector<double>& times = source_.times();
-        if (!options_.on_demand || times.size() < 3 || !writer_ ||
-            !(selection_.complete() || options_.arrays.empty()) || !facts_.can_be_stored())
+        if (options_.all || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()) ||
+            !facts_.can_be_stored() || has_more_arrays_between())
             return false;
+        step_ = times.size() / 2;
+        try {
+            if (!has_mesh_of_first(read_step())) return false;
+        } catch (const ciel::Error&) { // the error is told when the step is read
+        }
         step_ = times.size() - 1;
         InputGrids input_grids;
         try {
@@ -129,20 +167,21 @@ private:
         } catch (const ciel::Error&) { // add_step() reports the error
             return false;
         }
-        const Fingerprint print = fingerprint(input_grids);
-        if (print.cells != print_.cells || print.positions != print_.positions) return false;
+        if (!has_mesh_of_first(input_grids)) return false;
         update_step_mesh(mesh_, input_grids, false);
         if (!difference_across(mesh_.seams, mesh_.members).empty()) return false;
         if (!still_the_same(mesh_.joined_pieces, mesh_.members) || !facts_.is_current(source_)) return false;
         SourceFacts facts = facts_;
-        facts.set_mesh(mesh_, print_);
-        facts.add_written_step();
         for (const std::string& sentence : source_.lost()) lose(sentence);
         CollectedArrays collected; // written after the late steps, whose times are earlier
         make_arrays(input_grids, std::bind_front(&CollectedArrays::add, &collected));
         std::vector<store::ArrayInfo> infos;
         for (const auto& [name, info] : known_arrays_) infos.push_back(info);
+        facts.set_arrays(infos);
+        facts.set_mesh(mesh_, print_);
+        facts.add_written_step();
         for (step_ = 1; step_ + 1 < times.size(); ++step_) {
+            finished_steps_ = step_;
             tell(0, "listing files");
             if (!is_new_time(times[step_])) continue;
             writer_->add_late_step(times[step_], mesh_index_, coordinates_index_, infos);
@@ -290,6 +329,7 @@ private:
     std::map<std::string, store::ArrayInfo> known_arrays_; // by name
     Fingerprint print_;
     std::size_t step_ = 0, mesh_index_ = 0, coordinates_index_ = 0;
+    std::size_t finished_steps_ = 0; // for the progress; step_ is ahead while steps are only compared
     std::optional<double> last_time_;
     std::string first_reason_; // error of the first lost step
     std::set<std::string> noted_;

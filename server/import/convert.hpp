@@ -15,8 +15,7 @@ struct Options {
     std::vector<std::string> arrays; // names of arrays to import; empty: all arrays
     Weld weld = Weld::seams;
     bool list = false;
-    bool on_demand = false;         // write the first and the last step only
-    bool all = false;               // read all late steps; only if the input is a dataset
+    bool all = false;               // write all steps; if the input is a dataset, read all its late steps
     std::vector<std::size_t> steps; // late steps to read; only if the input is a dataset
     std::string late_folder;        // LateOptions::folder
     bool allow_bad = false;

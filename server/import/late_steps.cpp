@@ -43,7 +43,9 @@ public:
     explicit LateReader(const LateOptions& options)
         : dataset_(store::Dataset::open(options.dataset, store::LackingRanges::left_out, std::nullopt, options.folder)),
           allow_bad_(options.allow_bad), facts_(dataset_->info().late),
-          writer_(dataset_, options.folder, [] { progress(0, "waiting"); }), selection_(facts_.arrays()) {}
+          writer_(dataset_, options.folder, [] { progress(0, "waiting"); }), selection_(facts_.arrays()) {
+        facts_.set_arrays(dataset_->info().arrays);
+    }
 
     void run(std::vector<std::size_t> steps) {
         for (const std::size_t step : steps) (void)dataset_->steps().at(step); // throws if there is no such step
@@ -143,7 +145,7 @@ private:
 
     [[noreturn]] void refuse_mesh(std::size_t step) const {
         throw ciel::Error("has another mesh " + at_time(*dataset_, step) +
-                          " than at its first step; import it again with --force");
+                          " than at its first step; import it again with --all --force");
     }
 
     [[noreturn]] void refuse_change(std::size_t step) const {

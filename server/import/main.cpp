@@ -61,7 +61,7 @@ std::size_t step_number(const std::string& text) {
 
 // The options of the import count, because the arrays of all steps must be made in one way.
 void refuse_with_late_steps(const server::importing::ImportValues& values) {
-    for (const char* option : {"output", "on-demand", "list", "array", "weld", "no-weld", "force", "plot3d"})
+    for (const char* option : {"output", "list", "array", "weld", "no-weld", "force", "plot3d"})
         if (!values.at(option).empty())
             throw CLI::ValidationError(
                 std::string("--all and --step read steps in the way of the import; leave out --") + option);
@@ -74,14 +74,13 @@ Options options_from(server::importing::ImportValues& values) {
     if (!values["output"].empty()) options.output = values["output"].back();
     options.arrays = values["array"];
     options.list = flag("list");
-    options.on_demand = flag("on-demand");
     options.all = flag("all");
     for (const std::string& step : values["step"]) options.steps.push_back(step_number(step));
     if (!values["late-folder"].empty()) options.late_folder = values["late-folder"].back();
     const bool reads_late_steps = options.inputs.size() == 1 && server::store::is_dataset(options.inputs.front()) &&
                                   (options.all || !options.steps.empty());
-    if ((options.all || !options.steps.empty()) && !reads_late_steps)
-        throw CLI::ValidationError("--all and --step need a dataset NAME.ciel as the only input");
+    if (!options.steps.empty() && !reads_late_steps)
+        throw CLI::ValidationError("--step needs a dataset NAME.ciel as the only input");
     options.allow_bad = flag("allow-bad");
     options.force = flag("force");
     if (!values["plot3d"].empty()) options.source.plot3d = values["plot3d"].back();
@@ -157,9 +156,10 @@ int run(const Options& options) {
     ignore_cancelling();
     for (const std::string& note : result.notes) std::printf("note %s\n", note.c_str());
     if (result.late_steps > 0)
-        std::printf(
-            "%zu steps are read from the source when they are needed; `ciel import NAME.ciel --all` reads them now\n",
-            result.late_steps);
+        std::printf("%zu steps are read from the source when they are needed. Keep the source, or read them now with "
+                    "`ciel import "
+                    "NAME.ciel --all`\n",
+                    result.late_steps);
     print_memory(result.memory);
     progress(1.0, "done");
     std::vector<std::string> lost = result.lost;

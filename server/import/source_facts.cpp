@@ -38,10 +38,10 @@ bool add_files(const fs::path& path, std::vector<std::string>& files) {
 }
 
 // Returns an empty text if the format does not tell the files of the step, or if one of them is missing.
-std::string state_of_files(const Source& source, std::size_t step) {
+std::string state_of_files(const Source& source, std::size_t step, const std::set<std::string>& names) {
     std::vector<std::string> files;
     try {
-        for (const fs::path& path : source.files_of(step))
+        for (const fs::path& path : source.files_of(step, names))
             if (!add_files(path, files)) return {};
     } catch (const ciel::Error&) { // a file is missing or has an unknown format
         return {};
@@ -90,8 +90,15 @@ bool SourceFacts::has_files() const {
     return std::ranges::any_of(source_.files, [](const std::string& of_step) { return !of_step.empty(); });
 }
 
+void SourceFacts::set_arrays(std::span<const store::ArrayInfo> arrays) {
+    for (const store::ArrayInfo& array : arrays) {
+        const fs::path file = fs::path(array.source.file).filename();
+        names_.insert((file.extension() == ".gz" ? file.stem() : file).string());
+    }
+}
+
 void SourceFacts::add_late_step(const Source& source, std::size_t step_of_source) {
-    source_.files.push_back(state_of_files(source, step_of_source));
+    source_.files.push_back(state_of_files(source, step_of_source, names_));
 }
 
 bool SourceFacts::can_be_stored() const {
@@ -100,7 +107,7 @@ bool SourceFacts::can_be_stored() const {
 }
 
 bool SourceFacts::is_current(const Source& source) const {
-    return !state_of_files(source, 0).empty() || last_change(source_.inputs) == source_.changed;
+    return !state_of_files(source, 0, names_).empty() || last_change(source_.inputs) == source_.changed;
 }
 
 void SourceFacts::check_inputs() const {
@@ -114,7 +121,7 @@ void SourceFacts::check_inputs() const {
 }
 
 std::string SourceFacts::state_of(const Source& source, std::size_t step_of_source) const {
-    return has_files() ? state_of_files(source, step_of_source) : std::to_string(last_change(source_.inputs));
+    return has_files() ? state_of_files(source, step_of_source, names_) : std::to_string(last_change(source_.inputs));
 }
 
 std::string SourceFacts::state_at_import(std::size_t step_of_dataset) const {

@@ -6,6 +6,9 @@
 #include "import/mesh/step_mesh.hpp"
 #include "store/format/dataset_info.hpp"
 
+#include <set>
+#include <span>
+
 namespace server::importer {
 
 class SourceFacts {
@@ -29,6 +32,9 @@ public:
     // Returns whether the mesh of the step is that of the dataset, so that stored_mesh() may take it from there.
     [[nodiscard]] bool has_stored_mesh(const Fingerprint& print) const { return source_.mesh == print.text(); }
 
+    // Call it first. Only the files of these arrays count where each array is in a file of its own, so that a field
+    // that is added to the source later changes nothing.
+    void set_arrays(std::span<const store::ArrayInfo> arrays);
     void set_mesh(const StepMesh& mesh, const Fingerprint& print) {
         if (mesh.may_be_stored_mesh) source_.mesh = print.text();
     }
@@ -44,6 +50,7 @@ private:
     [[nodiscard]] bool has_files() const; // of any step
 
     store::LateSource source_;
+    std::set<std::string> names_; // of the files of arrays
 };
 
 } // namespace server::importer

@@ -23,11 +23,10 @@ inline constexpr ImportOption import_options[] = {
      "CIEL is converted to the current format. For PLOT3D, give the grid and its solutions; a grid alone also takes "
      "NAME.q from its directory."},
     {"output", "-o,--output", "NAME.ciel", false, false, "The dataset to write."},
-    {"on-demand", "--on-demand", "", false, false,
-     "Of more than two steps on one mesh, write the first and the last one. The others are read from the source when "
-     "they "
-     "are shown or extracted."},
-    {"all", "--all", "", false, false, "With a dataset as the input: read all its missing steps from the source."},
+    {"all", "--all", "", false, false,
+     "Write all steps now. Otherwise, of more than two steps on one mesh, the first and the last one are written, and "
+     "the others are read from the source when they are shown or extracted. With a dataset as the input: read all its "
+     "missing steps from the source."},
     {"step", "--step", "N", false, true, "With a dataset as the input: read step N from its source; may be repeated."},
     {"late-folder", "--late-folder", "FOLDER", false, false,
      "Where steps of a dataset are written that cannot be written to the dataset itself."},

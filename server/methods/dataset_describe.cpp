@@ -17,7 +17,8 @@ protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
     return info;
 }
 
-// The range and the numbers of invalid and missing values cover all steps at which the array was written.
+// The range and the numbers of invalid and missing values cover all steps at which the array was written, but those
+// that have not been read from the source.
 protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
     protocol::ArrayInfo info;
     info.name = array.name;
@@ -45,6 +46,12 @@ protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayIn
     return info;
 }
 
+std::int64_t unread_steps(const store::Dataset& dataset) {
+    return std::ranges::count_if(dataset.steps(), [](const store::Step& step) {
+        return std::ranges::any_of(step.arrays, [](const auto& array) { return array.second.late; });
+    });
+}
+
 std::vector<protocol::DatasetDescriptionGroupsItem> groups_of(const store::Dataset& dataset, std::size_t mesh) {
     std::vector<protocol::DatasetDescriptionGroupsItem> groups;
     for (const store::Group& group : dataset.groups(mesh)) {
@@ -70,6 +77,7 @@ protocol::DatasetDescribeResult dataset_describe(CallContext& context, const pro
     description.created = info.created;
     description.length_units = info.length_units;
     description.times.assign(dataset->steps().times().begin(), dataset->steps().times().end());
+    if (const std::int64_t unread = unread_steps(*dataset); unread > 0) description.unread_steps = unread;
     description.input = {static_cast<std::int64_t>(info.input_vertices), static_cast<std::int64_t>(info.input_edges),
                          static_cast<std::int64_t>(info.input_cells)};
     const std::size_t mesh = dataset->steps().empty() ? 0 : dataset->steps().front().mesh;

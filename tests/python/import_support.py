@@ -1,6 +1,7 @@
 """Helpers of the import tests: run `ciel import`, and read a dataset with plain JSON and Zarr."""
 
 import json
+import os
 import pathlib
 import urllib.parse
 
@@ -12,7 +13,8 @@ NO_NEIGHBOUR = 4294967295
 
 
 def run_import(*arguments):
-    return ciel("import", *arguments, timeout=300)
+    """Writes all steps. test_import_late.py is about imports that write only some."""
+    return ciel("import", *arguments, timeout=300, env={**os.environ, "CIEL_IMPORT_ALL": "yes"})
 
 
 def ciel_info(dataset, *options):

@@ -50,11 +50,11 @@ def run(*arguments, cache: pathlib.Path):
     return ciel(*arguments, timeout=300, env={**os.environ, "XDG_CACHE_HOME": str(cache)})
 
 
-WHOLE = ["--allow-bad"]  # any option but --on-demand
+WHOLE = ["--all"]
 
 
 def imported(source, output, cache, *options):
-    done = run("import", source, "-o", output, *(options or ["--on-demand"]), cache=cache)
+    done = run("import", source, "-o", output, *options, cache=cache)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
 
@@ -108,11 +108,31 @@ def test_a_mesh_that_changes_until_the_last_step_is_written_whole(tmp_path):
     assert written(tmp_path / "a.ciel") == [0, 1, 2, 3]
 
 
+def test_a_mesh_that_moves_and_comes_back_is_written_whole(tmp_path):
+    source = write_series(tmp_path / "source", [grid(0), with_fields(structured(5, bend=0.3)), grid(2)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    assert written(tmp_path / "a.ciel") == [0, 1, 2]
+
+
+def test_an_array_of_the_steps_between_is_not_lost(tmp_path):
+    more = grid(1)
+    add_array(more.GetPointData(), "g", np.arange(125))
+    source = write_series(tmp_path / "source", [grid(0), more, grid(2), grid(3)])
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    assert written(tmp_path / "a.ciel") == [0, 1, 2, 3]
+
+
+def test_the_environment_asks_for_all_steps(source, tmp_path):
+    done = ciel("import", source, "-o", tmp_path / "a.ciel", env={**os.environ, "CIEL_IMPORT_ALL": "yes"})
+    assert done.returncode == 0, done.stderr
+    assert written(tmp_path / "a.ciel") == list(range(STEPS))
+
+
 def test_a_step_with_another_mesh_is_refused(tmp_path):
     source = write_series(tmp_path / "source", [grid(0), with_fields(structured(5, bend=0.3)), grid(2), grid(3)])
     imported(source, tmp_path / "a.ciel", tmp_path)
     refused = run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path)
-    assert refused.returncode == 1 and "has another mesh at time 1.0" in refused.stderr and "--force" in refused.stderr
+    assert refused.returncode == 1 and "has another mesh at time 1.0" in refused.stderr and "--all --force" in refused.stderr
     assert run("import", tmp_path / "a.ciel", "--all", cache=tmp_path).returncode == 1
     assert written(tmp_path / "a.ciel") == [0, 2, 3]
 
@@ -180,6 +200,7 @@ def test_an_openfoam_case_that_has_grown_is_read_on(tmp_path):
     case = write_foam_series(tmp_path / "case", is_decomposed=False)
     imported(case, tmp_path / "a.ciel", tmp_path)
     shutil.copytree(case / "1", case / "5")
+    shutil.copy2(case / "2/p", case / "2/pMean")  # as a post-processing tool adds it
     assert run("import", tmp_path / "a.ciel", "--step", "1", cache=tmp_path).returncode == 0
     os.utime(case / "3/p", (0, 0))
     changed = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
@@ -248,7 +269,7 @@ def test_all_kinds_of_meshes_have_the_same_bytes_now_or_later(tmp_path, data, wr
         write(writer(), tmp_path / "source" / name, data(step))
     source = write_pvd(tmp_path / "source/run.pvd", names)
     imported(source, tmp_path / "whole.ciel", tmp_path, *WHOLE)
-    imported(source, tmp_path / "late.ciel", tmp_path, "--on-demand", "--allow-bad")
+    imported(source, tmp_path / "late.ciel", tmp_path, "--allow-bad")
     assert (Dataset(tmp_path / "late.ciel").facts["late"]["mesh"] != "") == is_known_again
     done = run("import", tmp_path / "late.ciel", "--all", cache=tmp_path)
     assert done.returncode == 0, done.stderr
@@ -300,12 +321,11 @@ def test_a_dataset_of_the_first_format_of_late_steps_is_read_on(source, tmp_path
 
 @pytest.mark.parametrize("arguments", [["--step", "x"], ["--step", "-1"], ["--step", "1", "-o", "b.ciel"], ["--all", "--force"],
                                        ["--all", "-a", "f"], ["--step", "1", "--no-weld"], ["--all", "--weld"], ["--all", "--list"],
-                                       ["--all", "--on-demand"], ["--all", "--plot3d", "big"]])
+                                       ["--all", "--plot3d", "big"]])
 def test_wrong_use_is_told(source, tmp_path, arguments):
     imported(source, tmp_path / "a.ciel", tmp_path)
     assert run("import", tmp_path / "a.ciel", *arguments, cache=tmp_path).returncode == 2
-    for wrong in (["--step", "1"], ["--all"]):
-        assert run("import", source, "-o", tmp_path / "b.ciel", *wrong, cache=tmp_path).returncode == 2
+    assert run("import", source, "-o", tmp_path / "b.ciel", "--step", "1", cache=tmp_path).returncode == 2
     unknown = run("import", tmp_path / "a.ciel", "--step", "99", cache=tmp_path)
     assert unknown.returncode == 1 and "there is no step 99" in unknown.stderr
     rewritten = run("import", tmp_path / "a.ciel", "-o", tmp_path / "c.ciel", cache=tmp_path)
@@ -373,6 +393,18 @@ def test_a_picture_waits_for_its_step_and_the_next_ones_are_read_ahead(source, t
         assert probed == whole.call("probe.point", scene={**scene_at(4), "dataset": "b"}, position=there)
         histogram = server.call("dataset.histogram", dataset="a", array="f", time=4, bins=16)
         assert histogram == whole.call("dataset.histogram", dataset="b", array="f", time=4, bins=16)
+
+
+def test_the_description_counts_the_steps_that_have_not_been_read(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    with serve(tmp_path / "a.ciel", tmp_path) as server:
+        described = server.call("dataset.describe", dataset="a")
+        assert described["unread_steps"] == STEPS - 2
+        ranges = {array["name"]: array["range"] for array in described["arrays"]}
+        for time in range(STEPS):
+            server.call("picture.render", scene=scene_at(time), width=64, height=48)
+        until(lambda: "unread_steps" not in server.call("dataset.describe", dataset="a"))
+        assert {array["name"]: array["range"] for array in server.call("dataset.describe", dataset="a")["arrays"]} == ranges
 
 
 def test_a_view_is_drawn_when_its_step_has_been_read(source, tmp_path):

@@ -12,3 +12,15 @@ test("cells, steps, arrays and size, with the right plurals", () => {
     "20\u00a0\u00d7\u00a08\u00a0\u00d7\u00a08\u00a0m",
   ]);
 });
+
+test("steps that have not been read are counted", () => {
+  const description = {
+    mesh: { cells: {} },
+    times: [0, 1, 2],
+    unread_steps: 1,
+    arrays: [],
+    bounds: [0, 1, 0, 1, 0, 1],
+  };
+  const facts = datasetFacts({ ...description, length_units: "" } as unknown as DatasetDescription);
+  expect(facts[1]).toBe("3 time steps (1 not read yet)");
+});

@@ -296,6 +296,7 @@ class DatasetDescription(TypedDict):
     created: str
     length_units: str
     times: list[float]
+    unread_steps: NotRequired[int]  # Number of steps with arrays that have not been read from the source of the import. The ranges of arrays are those of the other steps. Absent if all steps have been read. (at least 1)
     bounds: list[float]  # [x minimum, x maximum, y minimum, y maximum, z minimum, z maximum] in the dataset's length units.
     input: DatasetDescriptionInput
     mesh: MeshInfo

@@ -57,7 +57,8 @@ public:
         return std::filesystem::path(steps_[step].front().file).filename().string();
     }
 
-    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step) const override {
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step,
+                                                              const std::set<std::string>&) const override {
         std::vector<std::filesystem::path> all;
         for (const IndexEntry& part : steps_[step]) {
             const auto open = find_format(part.file).open;

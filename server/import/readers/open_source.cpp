@@ -60,10 +60,11 @@ public:
     [[nodiscard]] std::vector<std::string> lost() const override {
         return of_all([](const Source& source) { return source.lost(); });
     }
-    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step) const override {
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step,
+                                                              const std::set<std::string>& names) const override {
         std::vector<std::filesystem::path> all;
         for (const auto& source : sources_) {
-            const std::vector<std::filesystem::path> files = source->files_of(step);
+            const std::vector<std::filesystem::path> files = source->files_of(step, names);
             if (files.empty()) return {};
             all.insert(all.end(), files.begin(), files.end());
         }

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 #include <vtkDataObject.h>
@@ -43,8 +44,12 @@ public:
     // Returns a path such as "0.5/p"; empty if the file is not known.
     [[nodiscard]] virtual std::string file_of(const ArrayName& /*array*/, std::size_t /*step*/) const { return ""; }
     // Returns the files and directories from which this step and its mesh are read, without the index of the steps.
-    // Empty if the format does not tell them.
-    [[nodiscard]] virtual std::vector<std::filesystem::path> files_of(std::size_t /*step*/) const { return {}; }
+    // `names`: of the files of arrays, without ".gz"; where each array is in a file of its own, other files do not
+    // count. Empty if the format does not tell the files.
+    [[nodiscard]] virtual std::vector<std::filesystem::path> files_of(std::size_t /*step*/,
+                                                                      const std::set<std::string>& /*names*/) const {
+        return {};
+    }
     // Returns whether the reader computes the array from other quantities in the file.
     [[nodiscard]] virtual bool is_derived(const ArrayName& /*array*/) const { return false; }
     [[nodiscard]] virtual std::map<std::string, std::string> units() const { return {}; } // by array name

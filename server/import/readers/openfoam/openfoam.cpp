@@ -96,14 +96,18 @@ public:
         return foam_.is_decomposed ? "processor*/" + file : file;
     }
 
-    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step) const override {
+    [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step,
+                                                              const std::set<std::string>& names) const override {
         const double time = foam_.times[step];
         std::vector<std::filesystem::path> files;
         for (const std::string& region : foam_.regions) {
             for (std::filesystem::path& file : foam_mesh_files(foam_, region, time))
                 if (!file.empty()) files.push_back(std::move(file));
             for (const FoamRoot& root : foam_.roots)
-                if (const auto at = root.times.find(time); at != root.times.end()) files.push_back(at->second / region);
+                if (const auto at = root.times.find(time); at != root.times.end())
+                    for (const std::string& name : names)
+                        if (auto file = plain_or_compressed(at->second / region / name); !file.empty())
+                            files.push_back(std::move(file));
         }
         return files;
     }
