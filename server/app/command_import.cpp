@@ -63,7 +63,7 @@ void check(const ImportCommand& import) {
     if (!output.empty() && output.back().empty()) throw UsageError("-o needs a name, NAME.ciel");
 }
 
-// CIEL_IMPORT_ALL is for places from which the server cannot reach the sources, such as a container of its own.
+// CIEL_IMPORT_ALL is for servers that cannot read the sources. In compose.yaml, the server has no importer.
 bool writes_all_steps(const importing::ImportValues& values) {
     const char* const all = std::getenv("CIEL_IMPORT_ALL");
     return all != nullptr && *all != '\0' && !values.at("output").empty() &&

@@ -32,8 +32,8 @@ public:
     // Returns whether the mesh of the step is that of the dataset, so that stored_mesh() may take it from there.
     [[nodiscard]] bool has_stored_mesh(const Fingerprint& print) const { return source_.mesh == print.text(); }
 
-    // Call it first. Only the files of these arrays count where each array is in a file of its own, so that a field
-    // that is added to the source later changes nothing.
+    // Call this before the functions that look at files. If the format keeps each array in a file, only the files of
+    // these arrays count. A field that is added to the source later then changes nothing.
     void set_arrays(std::span<const store::ArrayInfo> arrays);
     void set_mesh(const StepMesh& mesh, const Fingerprint& print) {
         if (mesh.may_be_stored_mesh) source_.mesh = print.text();

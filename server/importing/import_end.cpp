@@ -64,9 +64,8 @@ std::string describe_signal(int signal, const std::string& input, const ImportLi
                outcome;
     if (signal == SIGBUS)
         return input +
-               ": a file became shorter while the import used it, or a disk failed. Check the disks of the input and "
-               "of "
-               "the output, and import it again" +
+               ": a file became shorter while the import used it, or a disk failed. Check both disks, that of the "
+               "input and that of the output, and import it again" +
                outcome;
     std::string sentence = input + ": the reader crashed (" + ::strsignal(signal) + "): the file is damaged";
     if (limits.memory_gigabytes > 0)

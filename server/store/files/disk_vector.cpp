@@ -1,18 +1,15 @@
 #include "store/files/disk_vector.hpp"
 
+#include "store/files/local_files.hpp"
 #include "store/files/scratch_file.hpp"
 
-#include <linux/magic.h>
 #include <sys/mman.h>
-#include <sys/vfs.h>
 
 namespace server::store {
 namespace {
 
-// The files of tmpfs are memory. No limit of the process counts them.
-bool is_memory(const std::filesystem::path& folder) {
-    struct statfs facts {};
-    return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == TMPFS_MAGIC;
+bool is_disk(const std::filesystem::path& folder) {
+    return !folder.empty() && is_on_this_machine(folder) && !is_in_memory(folder);
 }
 
 // Returns MAP_FAILED if the file cannot be made. Its disk space is reserved, so that the memory can always be written.
@@ -28,7 +25,7 @@ void* map_new_file(std::size_t bytes, const std::filesystem::path& folder) {
 } // namespace
 
 void* map_on_disk(std::size_t bytes, const std::filesystem::path& folder) {
-    void* memory = folder.empty() || is_memory(folder) ? MAP_FAILED : map_new_file(bytes, folder);
+    void* memory = is_disk(folder) ? map_new_file(bytes, folder) : MAP_FAILED;
     if (memory == MAP_FAILED)
         memory = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::bad_alloc();

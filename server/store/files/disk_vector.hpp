@@ -15,8 +15,8 @@ namespace server::store {
 // Smaller buffers are in ordinary memory.
 inline constexpr std::size_t least_bytes_on_disk = std::size_t{4} << 20;
 
-// Maps a new file in `folder`. Without a folder, or if the folder has no room, cannot be written to or is itself memory
-// (tmpfs), returns ordinary memory. Throws std::bad_alloc.
+// Maps a new file in `folder`. Returns ordinary memory without a folder, if the folder has no room or cannot be written
+// to, and if it is on another machine or in memory (local_files.hpp). Throws std::bad_alloc.
 [[nodiscard]] void* map_on_disk(std::size_t bytes, const std::filesystem::path& folder);
 void unmap_from_disk(void* memory, std::size_t bytes) noexcept;
 

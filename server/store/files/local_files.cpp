@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <linux/magic.h>
 #include <sys/vfs.h>
 
 namespace server::store {
@@ -27,6 +28,11 @@ bool is_on_this_machine(const std::filesystem::path& path) {
     struct statfs status {};
     if (::statfs(path.c_str(), &status) != 0) return true;
     return std::ranges::find(remote, static_cast<std::uint32_t>(status.f_type)) == remote.end();
+}
+
+bool is_in_memory(const std::filesystem::path& folder) {
+    struct statfs status {};
+    return ::statfs(folder.c_str(), &status) == 0 && status.f_type == TMPFS_MAGIC;
 }
 
 } // namespace server::store

@@ -1,12 +1,11 @@
 #include "store/files/disk_vector.hpp"
 
+#include "store/files/local_files.hpp"
 #include "support/folder.hpp"
 
 #include <fstream>
 #include <gtest/gtest.h>
-#include <linux/magic.h>
 #include <string>
-#include <sys/vfs.h>
 
 namespace server::store {
 namespace {
@@ -26,15 +25,10 @@ std::size_t own_memory() {
     return 0;
 }
 
-bool is_memory(const std::filesystem::path& folder) {
-    struct statfs facts {};
-    return ::statfs(folder.c_str(), &facts) == 0 && facts.f_type == TMPFS_MAGIC;
-}
-
 TEST(DiskVector, LargeBuffersAreNoMemoryOfTheProcess) {
     const ciel::test::Folder folder;
     if (has_shadow) GTEST_SKIP() << "ThreadSanitizer keeps memory for each byte that is written";
-    if (is_memory(folder.path())) GTEST_SKIP() << "the folder of temporary files is memory";
+    if (is_in_memory(folder.path())) GTEST_SKIP() << "the folder of temporary files is memory";
     const std::size_t before = own_memory();
     DiskVector<std::uint32_t> numbers(large / 4, 7, DiskAllocator<std::uint32_t>(folder.path()));
     EXPECT_LT(own_memory(), before + large / 4);
@@ -66,7 +60,7 @@ TEST(DiskVector, WithoutAFolderTheMemoryIsOrdinary) {
 
 TEST(DiskVector, AFolderThatIsMemoryIsNoDisk) {
     const std::filesystem::path memory = "/dev/shm";
-    if (!is_memory(memory)) GTEST_SKIP() << memory << " is no tmpfs";
+    if (!is_in_memory(memory)) GTEST_SKIP() << memory << " is no tmpfs";
     expect_ordinary_memory(DiskAllocator<std::uint64_t>(memory));
 }
 

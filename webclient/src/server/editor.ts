@@ -167,8 +167,8 @@ export class SceneEditor {
   }
 
   /**
-   * Makes an automatic change. It is undone together with the previous change, also one before a reload of the page. If
-   * the server has restarted since, it is a step of its own.
+   * Makes an automatic change. Undo reverts it together with the previous change, also one before a reload of the page.
+   * After a restart of the server, undo reverts it alone.
    */
   amend(patch: object): void {
     this.changeAutomatically(patch, this.newestGesture);

@@ -35,7 +35,7 @@ export class SceneHistory {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
   }
 
-  /** The next change is a step of its own. Call when the session is new: the server does not know the gesture. */
+  /** Makes the next change a step of its own. Call when the session is new, because its server knows no gesture. */
   endGesture(): void {
     this.gesture = "";
   }

@@ -48,8 +48,8 @@ void write_loops(const MatchedCells::Data& cells, FaceMesh& out) {
 } // namespace
 
 Assembled assemble(const PolyhedraView& input) {
-    const std::shared_ptr<const void> caller(std::shared_ptr<const void>(),
-                                             &input); // whose arrays live during the call
+    // The caller owns the arrays during this call.
+    const std::shared_ptr<const void> caller(std::shared_ptr<const void>(), &input);
     const MatchedCells matched(input, caller);
     const MatchedCells::Data& cells = matched.data();
     Assembled out;
