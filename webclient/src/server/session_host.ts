@@ -4,7 +4,7 @@ import { wordsFor, type SessionHost } from "./session";
 import { describeDataset, listDatasets } from "./datasets";
 import { firstScene } from "./first_scene";
 import { openingIn, update } from "../model/model";
-import { emptyReadout } from "../model/state";
+import { emptyReadout, type ConnectionState } from "../model/state";
 import { showToast } from "../model/toasts";
 import type { Core } from "./core";
 
@@ -16,6 +16,22 @@ function removePicture(server: Core): void {
   server.page.clearPicture();
   const { roundTripMs } = server.model.readout.peek();
   update(server.model, { shownScene: null, readout: { ...emptyReadout, roundTripMs } });
+}
+
+function heardOfConnection(server: Core, connection: ConnectionState): void {
+  update(server.model, { connection });
+  if (connection.kind === "waiting") {
+    server.page.stopPlaying();
+    void server.entry.explain();
+  }
+  if (connection.kind !== "open") return;
+  server.entry.opened();
+  update(server.model, { draining: false, fatal: null, lacking: [], empty: [], missing: [] });
+  void listDatasets(server);
+  void server.session.call("server.info", {}).then(
+    (info) => update(server.model, { server: info }),
+    (error: unknown) => server.fail(error),
+  );
 }
 
 export function sessionHost(server: Core): SessionHost {
@@ -58,21 +74,7 @@ export function sessionHost(server: Core): SessionHost {
       });
       void listDatasets(server);
     },
-    connection: (connection) => {
-      update(server.model, { connection });
-      if (connection.kind === "waiting") {
-        server.page.stopPlaying();
-        void server.entry.explain();
-      }
-      if (connection.kind !== "open") return;
-      server.entry.opened();
-      update(server.model, { draining: false, fatal: null, lacking: [], empty: [], missing: [] });
-      void listDatasets(server);
-      void server.session.call("server.info", {}).then(
-        (info) => update(server.model, { server: info }),
-        (error: unknown) => server.fail(error),
-      );
-    },
+    connection: (connection) => heardOfConnection(server, connection),
     roundTrip: (roundTripMs) => {
       update(server.model, { readout: { ...server.model.readout.peek(), roundTripMs } });
       server.streams.reconsider();

@@ -28,6 +28,42 @@ function Summary({ description }: { description: DatasetDescription }): JSX.Elem
   );
 }
 
+function Arrays({ description: { arrays, times } }: { description: DatasetDescription }): JSX.Element {
+  return (
+    <table class="arrays">
+      <thead>
+        <tr>
+          <th scope="col">Array</th>
+          <th scope="col">Range</th>
+          <th scope="col">Units</th>
+        </tr>
+      </thead>
+      <tbody>
+        {arrays.map((array) => (
+          <tr key={`${array.association} ${array.name}`} title={array.description}>
+            <th scope="row">
+              {array.name}
+              {array.components > 1 && <small> {array.components} components</small>}
+              <small class="array-facts">{arrayFacts(array, times.length).join(" \u00b7 ")}</small>
+              {array.association === "cell" && array.extremes !== undefined && (
+                <small class="array-facts">{extremesText(array.extremes)}</small>
+              )}
+            </th>
+            <td>
+              {array.range === null
+                ? ""
+                : array.range
+                    .map((v) => formatNumber(v, (array.range?.[1] ?? 0) - (array.range?.[0] ?? 0)))
+                    .join(" to ")}
+            </td>
+            <td>{prettyUnits(array.units)}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
 export function DatasetSection(): JSX.Element | null {
   const description = useModel((model) => model.description.value);
   const server = useModel((model) => model.server.value);
@@ -64,37 +100,7 @@ export function DatasetSection(): JSX.Element | null {
         />
         {server !== null && <Row name="Server" value={`CIEL ${server.version}, ${server.gl_renderer}`} />}
       </dl>
-      <table class="arrays">
-        <thead>
-          <tr>
-            <th scope="col">Array</th>
-            <th scope="col">Range</th>
-            <th scope="col">Units</th>
-          </tr>
-        </thead>
-        <tbody>
-          {description.arrays.map((array) => (
-            <tr key={`${array.association} ${array.name}`} title={array.description}>
-              <th scope="row">
-                {array.name}
-                {array.components > 1 && <small> {array.components} components</small>}
-                <small class="array-facts">{arrayFacts(array, times.length).join(" \u00b7 ")}</small>
-                {array.association === "cell" && array.extremes !== undefined && (
-                  <small class="array-facts">{extremesText(array.extremes)}</small>
-                )}
-              </th>
-              <td>
-                {array.range === null
-                  ? ""
-                  : array.range
-                      .map((v) => formatNumber(v, (array.range?.[1] ?? 0) - (array.range?.[0] ?? 0)))
-                      .join(" to ")}
-              </td>
-              <td>{prettyUnits(array.units)}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
+      <Arrays description={description} />
       {description.notes.length > 0 && (
         <ul class="notes">
           {description.notes.map((note) => (

@@ -1,6 +1,6 @@
 // List of all layers in order. Each can be shown, hidden, and moved by dragging or keys.
-import type { JSX } from "preact";
-import { useEffect, useRef, useState } from "preact/hooks";
+import type { JSX, RefObject } from "preact";
+import { useEffect, useRef, useState, type MutableRef } from "preact/hooks";
 import { layerNames } from "../../model/layer_names";
 import { layersInOrder } from "../../model/layer_order";
 import { IconButton, Section } from "../controls/controls";
@@ -70,6 +70,22 @@ function LayerRow({ id, name, visible, reason, place, count, move, mark, drag }:
   );
 }
 
+/** A moved row loses the focus. At an end of the list, the button of the opposite direction gets the focus. */
+function useFocusOfMoved(
+  list: RefObject<HTMLOListElement>,
+  moved: MutableRef<{ id: string; step: Step } | null>,
+  order: string,
+): void {
+  useEffect(() => {
+    const { id, step } = moved.current ?? {};
+    moved.current = null;
+    const row = [...(list.current?.children ?? [])].find((other) => (other as HTMLElement).dataset.layer === id);
+    const [, up, down] = row?.querySelectorAll("button") ?? [];
+    const [first, second] = step === "up" ? [up, down] : [down, up];
+    (first?.disabled === true ? second : first)?.focus();
+  }, [order]);
+}
+
 export function LayersSection(): JSX.Element {
   const commands = useCommands();
   const layered = useLayers();
@@ -80,15 +96,7 @@ export function LayersSection(): JSX.Element {
   const layers = layersInOrder(layered);
   const names = layerNames(layered);
   const order = JSON.stringify(layers.map(([id]) => id));
-  // A moved row loses the focus. At an end of the list, the button of the opposite direction gets the focus.
-  useEffect(() => {
-    const { id, step } = moved.current ?? {};
-    moved.current = null;
-    const row = [...(list.current?.children ?? [])].find((other) => (other as HTMLElement).dataset.layer === id);
-    const [, up, down] = row?.querySelectorAll("button") ?? [];
-    const [first, second] = step === "up" ? [up, down] : [down, up];
-    (first?.disabled === true ? second : first)?.focus();
-  }, [order]);
+  useFocusOfMoved(list, moved, order);
   const drop = (dropped: boolean): void => {
     const from = layers.findIndex(([id]) => id === drag?.id);
     if (dropped && drag !== null && drag.over !== null && from >= 0)

@@ -158,10 +158,34 @@ function Tools({ search, setSearch, hasSearch, apply }: ToolsProps): JSX.Element
   );
 }
 
+/** Which groups of patches are unfolded. fold() folds a group or unfolds it. */
+function useFolding(): { isOpen: (prefix: string) => boolean; fold: (prefix: string) => void } {
+  const [open, setOpen] = useState<ReadonlySet<string>>(new Set());
+  return {
+    isOpen: (prefix) => open.has(prefix),
+    fold: (prefix) => {
+      const others = [...open].filter((other) => other !== prefix);
+      setOpen(new Set(others.length < open.size ? others : [...others, prefix]));
+    },
+  };
+}
+
+function Whole({ checked, onChange }: { checked: boolean; onChange: Props["onChange"] }): JSX.Element {
+  const faces = useModel((model) => model.description.value?.mesh.boundary_faces);
+  return (
+    <Check
+      label="Whole boundary"
+      detail={faces === undefined ? undefined : `${formatCount(faces)} faces`}
+      checked={checked}
+      onChange={(on) => onChange(on ? [] : null)}
+    />
+  );
+}
+
 export function PatchList({ groups, shown = true, onChange }: Props): JSX.Element {
   const description = useModel((model) => model.description.value);
   const [search, setSearch] = useState("");
-  const [open, setOpen] = useState<ReadonlySet<string>>(new Set());
+  const { isOpen, fold } = useFolding();
   const all = patchesOf(description);
   const found = searched(all, search);
   const now = shown ? groups : null;
@@ -174,18 +198,9 @@ export function PatchList({ groups, shown = true, onChange }: Props): JSX.Elemen
   const toggleAll = (patches: readonly Patch[], on: boolean): void =>
     set(on ? withAll(all, now, patches) : withNone(all, now, patches));
   const only = (patches: readonly Patch[]): void => set(patches.map(({ name }) => name));
-  const fold = (prefix: string): void => {
-    const others = [...open].filter((other) => other !== prefix);
-    setOpen(new Set(others.length < open.size ? others : [...others, prefix]));
-  };
   return (
     <div class="patches" role="group" aria-label="Patches of the boundary">
-      <Check
-        label="Whole boundary"
-        detail={description === null ? undefined : `${formatCount(description.mesh.boundary_faces)} faces`}
-        checked={shown && groups.length === 0}
-        onChange={(on) => onChange(on ? [] : null)}
-      />
+      <Whole checked={shown && groups.length === 0} onChange={onChange} />
       {all.length > 1 && (
         <Tools
           search={search}
@@ -212,7 +227,7 @@ export function PatchList({ groups, shown = true, onChange }: Props): JSX.Elemen
               <Family
                 key={family.prefix}
                 family={family}
-                isOpen={search !== "" || open.has(family.prefix)}
+                isOpen={search !== "" || isOpen(family.prefix)}
                 fold={() => fold(family.prefix)}
                 ticked={ticked}
                 toggle={toggle}

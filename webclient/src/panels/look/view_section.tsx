@@ -14,6 +14,28 @@ const STREAMS = [
   { value: "geometry", text: "Geometry" },
 ];
 const CUSTOM = "custom";
+const BACKGROUNDS = [
+  { value: "dark", text: "Dark" },
+  { value: "light", text: "Light" },
+  { value: CUSTOM, text: "One color" },
+];
+
+interface ColorInputProps {
+  label: string;
+  /** Name of the input for screen readers. */
+  of: string;
+  value: string;
+  onChange: (color: string) => void;
+}
+
+function ColorInput({ label, of, value, onChange }: ColorInputProps): JSX.Element {
+  return (
+    <label class="field">
+      <span>{label}</span>
+      <input type="color" aria-label={of} value={value} onChange={(event) => onChange(event.currentTarget.value)} />
+    </label>
+  );
+}
 
 export function ViewSection(): JSX.Element {
   const commands = useCommands();
@@ -34,11 +56,7 @@ export function ViewSection(): JSX.Element {
         <SelectField
           label="Background"
           value={own ? CUSTOM : background}
-          options={[
-            { value: "dark", text: "Dark" },
-            { value: "light", text: "Light" },
-            { value: CUSTOM, text: "One color" },
-          ]}
+          options={BACKGROUNDS}
           onChange={(value) => commands.change({ background: value === CUSTOM ? "#ffffff" : value })}
         />
         <SelectField
@@ -53,28 +71,22 @@ export function ViewSection(): JSX.Element {
           </p>
         )}
         {own && (
-          <label class="field">
-            <span>Color</span>
-            <input
-              type="color"
-              aria-label="Background color"
-              value={background}
-              onChange={(event) => commands.change({ background: event.currentTarget.value })}
-            />
-          </label>
+          <ColorInput
+            label="Color"
+            of="Background color"
+            value={background}
+            onChange={(color) => commands.change({ background: color })}
+          />
         )}
       </div>
       <Check label="Outline" checked={outline !== undefined && outline[1].visible !== false} onChange={toggleOutline} />
       {outline !== undefined && outline[1].visible !== false && (
-        <label class="field">
-          <span>Color of the outline</span>
-          <input
-            type="color"
-            aria-label="Color of the outline"
-            value={outline[1].color?.solid ?? DEFAULT_SOLID}
-            onChange={(event) => commands.colors.set({ layers: [outline[0]] }, { solid: event.currentTarget.value })}
-          />
-        </label>
+        <ColorInput
+          label="Color of the outline"
+          of="Color of the outline"
+          value={outline[1].color?.solid ?? DEFAULT_SOLID}
+          onChange={(solid) => commands.colors.set({ layers: [outline[0]] }, { solid })}
+        />
       )}
       <AnnotationFields
         annotations={annotations}

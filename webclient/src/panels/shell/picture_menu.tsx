@@ -16,6 +16,28 @@ const USUAL: readonly { name: string; size: Size }[] = [
 ];
 const SIDES: Range = [SMALLEST, LARGEST];
 
+function Sides({ size, onChange }: { size: Size; onChange: (size: Size) => void }): JSX.Element {
+  const { width, height } = size;
+  return (
+    <div class="range-row">
+      <NumberField
+        label="Width of the picture in pixels"
+        value={width}
+        limits={SIDES}
+        onChange={(typed) => onChange({ width: Math.round(typed), height })}
+      />
+      <span aria-hidden="true">×</span>
+      <NumberField
+        label="Height of the picture in pixels"
+        value={height}
+        unit="px"
+        limits={SIDES}
+        onChange={(typed) => onChange({ width, height: Math.round(typed) })}
+      />
+    </div>
+  );
+}
+
 export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
   const commands = useCommands();
   const [chosen, setChosen] = useState<Size | null>(null);
@@ -24,22 +46,7 @@ export function PictureMenu({ disabled }: { disabled: boolean }): JSX.Element {
     <Menu icon="poster" label="Pictures of other sizes" disabled={disabled}>
       {(close) => (
         <>
-          <div class="range-row">
-            <NumberField
-              label="Width of the picture in pixels"
-              value={width}
-              limits={SIDES}
-              onChange={(typed) => setChosen({ width: Math.round(typed), height })}
-            />
-            <span aria-hidden="true">×</span>
-            <NumberField
-              label="Height of the picture in pixels"
-              value={height}
-              unit="px"
-              limits={SIDES}
-              onChange={(typed) => setChosen({ width, height: Math.round(typed) })}
-            />
-          </div>
+          <Sides size={{ width, height }} onChange={setChosen} />
           <div class="row" role="group" aria-label="Times the size of the view">
             {FACTORS.map((factor) => (
               <button

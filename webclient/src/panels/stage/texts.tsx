@@ -233,6 +233,18 @@ const cornersOf = ({ handles }: Overlay, stage: Size): Size[] =>
     .filter(({ id }) => /^legend \d+$/.test(id))
     .map(({ box }) => ({ width: stage.width - box.left + ROOM.width, height: box.bottom + ROOM.height }));
 
+/** The texts of the picture for screen readers, which cannot read the drawing. */
+function ForReaders({ title, captions }: { title: string; captions: readonly string[] }): JSX.Element {
+  return (
+    <div class="for-readers">
+      {title !== "" && <h2>{title}</h2>}
+      {captions.map((caption) => (
+        <p key={caption}>{caption}</p>
+      ))}
+    </div>
+  );
+}
+
 export function Texts(): JSX.Element {
   const commands = useCommands();
   const name = useModel((model) => model.scene.value?.dataset);
@@ -274,12 +286,7 @@ export function Texts(): JSX.Element {
   }, [commands, key, complete]);
   return (
     <>
-      <div class="for-readers">
-        {title !== "" && <h2>{title}</h2>}
-        {captions.map((caption) => (
-          <p key={caption}>{caption}</p>
-        ))}
-      </div>
+      <ForReaders title={title} captions={captions} />
       <svg class="texts" aria-hidden="true">
         <Drawing overlay={overlay} name="texts" />
       </svg>

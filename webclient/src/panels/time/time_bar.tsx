@@ -7,28 +7,12 @@ import { useCommands, useModel } from "../context";
 const NO_TIMES: readonly number[] = [];
 const RATES = [2, 5, 10, 20, 60];
 
-export function TimeBar(): JSX.Element {
+/** The buttons that step and play. */
+function Steps({ step, last }: { step: number; last: number }): JSX.Element {
   const commands = useCommands();
-  const times =
-    useModel((model) => (model.chosen.value === null ? model.description.value?.times : undefined)) ?? NO_TIMES;
-  const time = useModel((model) => model.scene.value?.time);
   const playing = useModel((model) => model.playing.value);
-  const loop = useModel((model) => model.loop.value);
-  const rate = useModel((model) => model.playRate.value);
-  if (times.length < 2) {
-    // Reserves the space of the time bar. A later bar would shrink the canvas, and the picture would be drawn twice.
-    return (
-      <section class="time-bar hint" aria-label="Time">
-        {times.length === 1 && "This dataset has one time step."}
-      </section>
-    );
-  }
-  const first = times[0] ?? 0;
-  const last = times.at(-1) ?? 0;
-  const step = nearestStep(times, time);
-  const shown = formatNumber(times[step] ?? 0, last - first);
   return (
-    <section class="time-bar" aria-label="Time">
+    <>
       <IconButton
         icon="previous"
         label="Step back"
@@ -47,9 +31,57 @@ export function TimeBar(): JSX.Element {
         icon="next"
         label="Step on"
         keys="."
-        disabled={step === times.length - 1}
+        disabled={step === last}
         onClick={() => commands.time.stepBy(1)}
       />
+    </>
+  );
+}
+
+/** How playing goes on at the end, and how fast it is. */
+function Pace(): JSX.Element {
+  const commands = useCommands();
+  const loop = useModel((model) => model.loop.value);
+  const rate = useModel((model) => model.playRate.value);
+  return (
+    <>
+      <IconButton
+        icon="loop"
+        label="Start again at the end"
+        pressed={loop}
+        onClick={() => commands.time.setLoop(!loop)}
+      />
+      <SelectField
+        label="Steps a second, at most"
+        hideLabel
+        value={String(rate)}
+        options={RATES.map((value) => ({ value: String(value), text: `${value} / s` }))}
+        onChange={(value) => commands.time.setRate(Number(value))}
+      />
+    </>
+  );
+}
+
+export function TimeBar(): JSX.Element {
+  const commands = useCommands();
+  const times =
+    useModel((model) => (model.chosen.value === null ? model.description.value?.times : undefined)) ?? NO_TIMES;
+  const time = useModel((model) => model.scene.value?.time);
+  if (times.length < 2) {
+    // Reserves the space of the time bar. A later bar would shrink the canvas, and the picture would be drawn twice.
+    return (
+      <section class="time-bar hint" aria-label="Time">
+        {times.length === 1 && "This dataset has one time step."}
+      </section>
+    );
+  }
+  const first = times[0] ?? 0;
+  const last = times.at(-1) ?? 0;
+  const step = nearestStep(times, time);
+  const shown = formatNumber(times[step] ?? 0, last - first);
+  return (
+    <section class="time-bar" aria-label="Time">
+      <Steps step={step} last={times.length - 1} />
       <Slider
         label="Time step"
         min={0}
@@ -69,19 +101,7 @@ export function TimeBar(): JSX.Element {
           {step + 1} / {times.length}
         </small>
       </output>
-      <IconButton
-        icon="loop"
-        label="Start again at the end"
-        pressed={loop}
-        onClick={() => commands.time.setLoop(!loop)}
-      />
-      <SelectField
-        label="Steps a second, at most"
-        hideLabel
-        value={String(rate)}
-        options={RATES.map((value) => ({ value: String(value), text: `${value} / s` }))}
-        onChange={(value) => commands.time.setRate(Number(value))}
-      />
+      <Pace />
     </section>
   );
 }

@@ -61,8 +61,47 @@ function Handle({ index, point: [position, opacity], value, onKeyDown, onRemove,
   );
 }
 
+function Background({ range, logarithmic, histogram, points }: Props): JSX.Element {
+  return (
+    <svg viewBox={`0 0 100 ${HEIGHT}`} preserveAspectRatio="none" aria-hidden="true">
+      <path
+        d={histogramBars(histogram, {
+          range,
+          height: HEIGHT,
+          logarithmicCounts: true,
+          logarithmicAxis: logarithmic,
+        })}
+      />
+      <path class="curve" d={curve(points)} />
+    </svg>
+  );
+}
+
+function Ends({ range, units }: { range: Range; units: string }): JSX.Element {
+  const span = range[1] - range[0];
+  return (
+    <div class="histogram-ends" aria-hidden="true">
+      <span>{formatNumber(range[0], span)}</span>
+      <span>{units}</span>
+      <span>{formatNumber(range[1], span)}</span>
+    </div>
+  );
+}
+
+/** Returns the points after a key was pressed on one of them. Returns null if the key has no meaning there. */
+function afterKey(event: KeyboardEvent, points: readonly OpacityPoint[], index: number): OpacityPoint[] | null {
+  const point = points[index];
+  if (point === undefined) return null;
+  const isRemoval = event.key === "Delete" || event.key === "Backspace";
+  const to = keyedPoint(event.key, event.shiftKey, point);
+  if (to === null && !isRemoval) return null;
+  event.preventDefault();
+  event.stopPropagation();
+  return to === null ? removed(points, index) : moved(points, index, to);
+}
+
 export function OpacityEditor(props: Props): JSX.Element {
-  const { name, units, range, logarithmic, histogram, points, newGesture, onChange } = props;
+  const { name, units, range, logarithmic, points, newGesture, onChange } = props;
   const [chosen, setChosen] = useState(0);
   const { track, pointer, keyGesture } = useHandleDrag({
     newGesture,
@@ -75,14 +114,8 @@ export function OpacityEditor(props: Props): JSX.Element {
     moved: (index, { x, y }, gesture) => onChange(moved(points, index, [x, y]), gesture),
   });
   const onKeyDown = (event: KeyboardEvent, index: number): void => {
-    const point = points[index];
-    if (point === undefined) return;
-    const isRemoval = event.key === "Delete" || event.key === "Backspace";
-    const to = keyedPoint(event.key, event.shiftKey, point);
-    if (to === null && !isRemoval) return;
-    event.preventDefault();
-    event.stopPropagation();
-    onChange(to === null ? removed(points, index) : moved(points, index, to), keyGesture(event));
+    const changed = afterKey(event, points, index);
+    if (changed !== null) onChange(changed, keyGesture(event));
   };
   const span = range[1] - range[0];
   const inHand = Math.min(chosen, points.length - 1);
@@ -98,17 +131,7 @@ export function OpacityEditor(props: Props): JSX.Element {
         aria-label={`Opacity over ${name}`}
         {...pointer}
       >
-        <svg viewBox={`0 0 100 ${HEIGHT}`} preserveAspectRatio="none" aria-hidden="true">
-          <path
-            d={histogramBars(histogram, {
-              range,
-              height: HEIGHT,
-              logarithmicCounts: true,
-              logarithmicAxis: logarithmic,
-            })}
-          />
-          <path class="curve" d={curve(points)} />
-        </svg>
+        <Background {...props} />
         {points.map((point, index) => (
           <Handle
             key={index}
@@ -121,11 +144,7 @@ export function OpacityEditor(props: Props): JSX.Element {
           />
         ))}
       </div>
-      <div class="histogram-ends" aria-hidden="true">
-        <span>{formatNumber(range[0], span)}</span>
-        <span>{units}</span>
-        <span>{formatNumber(range[1], span)}</span>
-      </div>
+      <Ends range={range} units={units} />
       {inHandPoint !== undefined && (
         <OpacityPointFields
           index={inHand}
