@@ -10,18 +10,18 @@
 #include "engine/server.hpp"
 #include "gateway/gateway.hpp"
 #include "importing/import_missing.hpp"
-#include "importing/step_reader.hpp"
+#include "importing/late_step.hpp"
 #include "importing/without_folder.hpp"
 #include "logging/log.hpp"
 #include "render/renderer.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <mutex>
 #include <spdlog/spdlog.h>
 
 namespace server::app {
@@ -83,10 +83,12 @@ fs::path find_webclient() {
 std::string token_in(const fs::path& file) {
     std::ifstream stream(file);
     std::string token;
-    if (!std::getline(stream, token))
-        throw ciel::Error("the token file " + file.string() +
-                          " cannot be read or is empty; name a readable file whose first line is the token");
+    std::getline(stream, token);
     while (!token.empty() && std::isspace(static_cast<unsigned char>(token.back())) != 0) token.pop_back();
+    if (token.empty())
+        throw ciel::Error("the token file " + file.string() +
+                          " cannot be read, or its first line is empty; name a readable file whose first line is the "
+                          "token");
     std::error_code ignored;
     const auto others = fs::perms::group_read | fs::perms::others_read;
     if ((fs::status(file, ignored).permissions() & others) != fs::perms::none)
@@ -120,23 +122,6 @@ void add_failed(engine::Server& server, const std::vector<importing::Servable>& 
     }
 }
 
-// Tells the server that late steps have been read, from any thread, while the server exists.
-class ServerToTell {
-public:
-    void tell(const fs::path& dataset) {
-        const std::scoped_lock lock(mutex_);
-        if (server_ != nullptr) server_->late_steps_changed(dataset);
-    }
-    void set(engine::Server* server) {
-        const std::scoped_lock lock(mutex_);
-        server_ = server;
-    }
-
-private:
-    std::mutex mutex_;
-    engine::Server* server_ = nullptr;
-};
-
 void log_renderer(engine::Server& server) {
     const auto result = server.draw_test_picture();
     if (result.passed)
@@ -169,14 +154,13 @@ int serve(ServeOptions& options) {
     server_options.limits = options.limits;
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
-    ServerToTell late_steps;
-    const fs::path late_folder = late_folder_in(options.import_folder);
-    importing::StepReader step_reader(late_folder, [&](const fs::path& dataset) { late_steps.tell(dataset); });
-    server_options.late = {
-        late_folder, [&](const store::Dataset& dataset, std::size_t step) { return step_reader.ask(dataset, step); }};
+    server_options.late_folder = late_folder_in(options.import_folder);
+    server_options.read_late_step = [folder = server_options.late_folder](const store::Dataset& dataset,
+                                                                          std::size_t step,
+                                                                          const std::atomic<bool>& cancel) {
+        return importing::read_late_step(dataset, step, folder, cancel);
+    };
     engine::Server server(std::move(server_options));
-    late_steps.set(&server);
-    const std::shared_ptr<void> until_the_end(nullptr, [&](void*) { late_steps.set(nullptr); }); // before ~Server
     add_failed(server, servable);
     options.gateway.version = CIEL_VERSION;
     EngineService service(server);

@@ -100,12 +100,13 @@ void SceneOptions::add_to(CLI::App& command) {
 
 void ExtractionOptions::add_to(CLI::App& command) {
     const CLI::IsMember known({"signatures", "propagation"});
+    // --engine is a deprecated name of --algorithm. --help does not list it. Version 0.4 removes it. It is added first,
+    // because options are read in this order and the last one counts.
+    command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--algorithm", algorithm, "Algorithm of the surface extraction; also CIEL_ALGORITHM.")
         ->check(known)
         ->envname("CIEL_ALGORITHM")
         ->capture_default_str();
-    // --engine is a deprecated name of --algorithm. --help does not list it. Version 0.4 removes it.
-    command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--decider", decider, "Rule that joins the points on ambiguous faces.")
         ->check(CLI::IsMember({"isolate-high", "asymptotic"}))
         ->capture_default_str();

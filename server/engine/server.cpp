@@ -42,6 +42,7 @@ struct Server::State {
     Sessions sessions;
     Uploads uploads;
     SlowCallQueue slow_calls;
+    LateStepQueue late_steps;
     std::stop_source calls; // a stop request cancels the slow calls in progress
     std::mutex test_picture_mutex;
     std::condition_variable test_picture_known;
@@ -53,8 +54,9 @@ struct Server::State {
     std::jthread housekeeping; // the last member, because its thread uses the other members
 
     explicit State(ServerOptions chosen)
-        : options(std::move(chosen)), catalog(options.data, options.limits.field_cache_bytes,
-                                              options.limits.dataset_memory_bytes, options.file_access, options.late),
+        : options(std::move(chosen)),
+          catalog(options.data, options.limits.field_cache_bytes, options.limits.dataset_memory_bytes,
+                  options.file_access, late_steps_of_catalog()),
           memory(
               options.limits.memory_bytes, [this] { return dataset_bytes(); },
               [this] {
@@ -64,7 +66,9 @@ struct Server::State {
           workers(options.render_workers, options.backend, memory, options.still_samples),
           picture_workers(1, options.backend, memory, options.still_samples),
           services{{options.limits, catalog, connections, memory}, options.extraction, workers, metrics, {}},
-          sessions(services), uploads(options.limits, memory), slow_calls(options.limits) {
+          sessions(services), uploads(options.limits, memory), slow_calls(options.limits),
+          late_steps(options.read_late_step,
+                     [this](const std::filesystem::path& dataset) { late_step_read(dataset); }) {
         services.make_room = [this] {
             constexpr std::uint64_t scarce = 16; // less than a 16th is left
             sessions.make_room();
@@ -99,6 +103,12 @@ struct Server::State {
         picture_workers.rest();
         limits::give_back_free_memory();
         limits::keep_memory_in_reserve();
+    }
+
+    store::LateSteps late_steps_of_catalog() {
+        if (!options.read_late_step) return {options.late_folder, {}};
+        return {options.late_folder,
+                [this](const store::Dataset& dataset, std::size_t step) { return late_steps.ask(dataset, step); }};
     }
 
     void release_unused(Clock::time_point unused_since) { (void)catalog.give_back(unused_since); }
@@ -139,6 +149,22 @@ struct Server::State {
         }
     }
     void know_of_end() { know({.problem = "the server is about to stop and draws no further pictures"}); }
+
+    // A late step has been read, or cannot be read: its views are drawn again, with what the dataset has now.
+    void late_step_read(const std::filesystem::path& dataset) noexcept {
+        try {
+            for (const auto& loaded : catalog.loaded()) {
+                if (loaded->dataset()->directory() != dataset) continue;
+                try {
+                    (void)loaded->refresh();
+                } catch (const ciel::Error&) { // it was replaced or is damaged; the watch notices
+                }
+            }
+            for (const auto& entry : catalog.list())
+                if (entry.directory == dataset) tell_steps(entry.name);
+        } catch (const std::exception&) { // memory is short; the watch tells the steps
+        }
+    }
 
     void tell_steps(const std::string& dataset) {
         protocol::DatasetChanged note{dataset, std::vector<double>()};
@@ -187,21 +213,6 @@ void Server::connection_closed(std::uint64_t connection_id) {
 
 void Server::look_for_steps(const std::string& name, store::LoadedDataset& dataset) {
     if (dataset.refresh()) state_->tell_steps(name);
-}
-
-void Server::late_steps_changed(const std::filesystem::path& dataset) noexcept {
-    try {
-        for (const auto& loaded : state_->catalog.loaded()) {
-            if (loaded->dataset()->directory() != dataset) continue;
-            try {
-                (void)loaded->refresh();
-            } catch (const ciel::Error&) { // it was replaced or is damaged; the watch notices
-            }
-        }
-        for (const auto& entry : state_->catalog.list())
-            if (entry.directory == dataset) state_->tell_steps(entry.name);
-    } catch (const std::exception&) { // memory is short; the watch tells the steps
-    }
 }
 
 void Server::tidy(std::chrono::steady_clock::time_point now) { state_->tidy(now); }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ciel/extract.hpp"
+#include "engine/schedule/late_step_queue.hpp"
 #include "frames/picture.hpp"
 #include "frames/test_picture.hpp"
 #include "limits/limits.hpp"
@@ -28,7 +29,8 @@ struct ServerOptions {
     unsigned render_workers = 1;
     int still_samples = frames::default_still_samples; // per pixel
     bool allow_append = false;                         // clients may append steps if they have the token
-    store::LateSteps late;                             // reads late arrays from their sources
+    ReadLateStep read_late_step;                       // empty: late steps are not read
+    std::filesystem::path late_folder;                 // of the files of late arrays whose dataset cannot be written to
     std::chrono::seconds hang_after{60}; // longer than any frame; a worker that draws no test picture for longer hangs
     limits::Limits limits;
 };
@@ -61,8 +63,6 @@ public:
 
     // If steps were appended to the dataset, notifies clients at once, before the catalog's watch finds the steps.
     void look_for_steps(const std::string& name, store::LoadedDataset& dataset);
-    // Late arrays have been read, or cannot be read: the views of the dataset are drawn again, with what it has now.
-    void late_steps_changed(const std::filesystem::path& dataset) noexcept;
     // Until connection_closed(), the connection gets the notification `dataset.changed` when steps are appended.
     void connection_opened(std::shared_ptr<sessions::Connection> connection);
     void connection_closed(std::uint64_t connection_id);

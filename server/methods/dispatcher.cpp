@@ -18,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 using Outcome = engine::SlowCallQueue::Outcome;
+constexpr std::chrono::milliseconds first_pause{200}, longest_pause{2000}; // of a call that waits for a late step
 
 // Checked before parsing, so that no parser or destructor recurses deeper.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
@@ -122,10 +123,31 @@ private:
     void take(Outcome outcome) {
         was_queued_ = true;
         cancelled_ = outcome == Outcome::cancelled;
-        const std::chrono::duration<double> waited = engine::Clock::now() - context_.begun;
-        add(is_wanted() ? handle(context_, requests_[next_], waited.count()) : cancelled());
+        if (!turn_.is_again)
+            turn_.waited = std::chrono::duration<double>(engine::Clock::now() - context_.begun).count();
+        try {
+            add(is_wanted() ? handle(context_, requests_[next_], turn_) : cancelled());
+        } catch (const AwaitsStep&) {
+            if (enqueue_again()) return;
+        }
+        turn_ = {};
+        pause_ = first_pause;
         ++next_;
         go_on();
+    }
+
+    bool enqueue_again() {
+        turn_.is_again = true;
+        context_.making.note(0);
+        auto job = [self = shared_from_this()](Outcome outcome) { self->take(outcome); };
+        try {
+            context_.server.slow_calls().post_after(pause_, connection_->id, std::move(job));
+            pause_ = std::min(2 * pause_, longest_pause);
+            return true;
+        } catch (...) {
+            add(refuse(context_, requests_[next_]));
+            return false;
+        }
     }
 
     std::optional<json> cancelled() {
@@ -192,6 +214,8 @@ private:
             text_ += text_of({{"jsonrpc", "2.0"}, {"id", id}, {"error", error}}, as_it_came);
         }
         if (is_batch_) text_ += ']';
+        if (text_.size() > wire::longest_message) // the ids alone are too long
+            text_ = text_of({{"jsonrpc", "2.0"}, {"id", nullptr}, {"error", error}});
     }
 
     struct Answered {
@@ -209,6 +233,8 @@ private:
     std::string text_;
     limits::Memory::Charge held_, asked_; // count text_ and requests_
     std::size_t next_ = 0;
+    Turn turn_;                                     // of the slow request that is handled now
+    std::chrono::milliseconds pause_ = first_pause; // until its next turn
     bool was_queued_ = false, cancelled_ = false;
 };
 

@@ -10,7 +10,6 @@
 #include "store/loaded.hpp"
 
 #include <algorithm>
-#include <thread>
 
 namespace server::methods {
 namespace {
@@ -46,36 +45,31 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
-// Waits until late arrays that the method needs have been read from their source, but not for long, because other slow
-// calls wait for this thread.
-json call_when_read(CallContext& context, const Method& method, const json& params) {
+json call_slow(CallContext& context, const Method& method, const json& params) {
     constexpr double longest_wait_ms = 60'000;
-    std::chrono::milliseconds pause{200};
-    while (true) {
-        try {
-            return method.call(context, params);
-        } catch (const store::NotYetRead& late) {
-            if (late.has_failed || context.milliseconds() > longest_wait_ms) throw;
-        }
-        std::this_thread::sleep_for(pause);
-        pause = std::min(2 * pause, std::chrono::milliseconds(2000));
-        context.check_wanted();
+    try {
+        return method.call(context, params);
+    } catch (const store::NotYetRead& late) {
+        if (late.has_failed || context.milliseconds() > longest_wait_ms) throw;
+        throw AwaitsStep();
     }
 }
 
 // `ignored` receives the JSON pointers of unknown members if the request declares a later minor version.
-json call(CallContext& context, const json& request, std::vector<std::string>& ignored) {
+json call(CallContext& context, const json& request, bool is_again, std::vector<std::string>& ignored) {
     const auto& name = request["method"].get_ref<const std::string&>();
     const Method* method = find_method(name);
-    context.server.counters().count_request(method == nullptr ? "unknown" : name);
+    if (!is_again) context.server.counters().count_request(method == nullptr ? "unknown" : name);
     if (method == nullptr) throw MethodNotFound("there is no method " + name + "; rpc.discover lists the methods");
     const auto count = [&] { context.server.counters().count_call(name, context.milliseconds() / 1000); };
     try {
         std::vector<std::string>* const dropped = is_of_later_minor(request) ? &ignored : nullptr;
         const json params = checked_params(name, request.value("params", json::object()), dropped);
-        json result = method->slow ? call_when_read(context, *method, params) : method->call(context, params);
+        json result = method->slow ? call_slow(context, *method, params) : method->call(context, params);
         count();
         return result;
+    } catch (const AwaitsStep&) { // the call goes on
+        throw;
     } catch (...) {
         count();
         throw;
@@ -150,8 +144,8 @@ std::optional<json> refuse(CallContext& context, const json& request) {
     return error;
 }
 
-std::optional<json> handle(CallContext& context, const json& request, double waited) {
-    context.begin();
+std::optional<json> handle(CallContext& context, const json& request, Turn turn) {
+    if (!turn.is_again) context.begin();
     if (!is_request(request))
         return failed(context, request,
                       invalid_request("a request must be an object with jsonrpc \"2.0\" and a method"));
@@ -159,12 +153,14 @@ std::optional<json> handle(CallContext& context, const json& request, double wai
         return failed(context, request, invalid_request("the id of a request must be a string, a number or null"));
     try {
         std::vector<std::string> ignored;
-        json result = call(context, request, ignored);
-        tell_if_slow(context, request, waited);
+        json result = call(context, request, turn.is_again, ignored);
+        tell_if_slow(context, request, turn.waited);
         if (!request.contains("id")) return {};
         json answered = answer(request["id"], "result", std::move(result));
         if (!ignored.empty()) answered["ignored"] = std::move(ignored);
         return answered;
+    } catch (const AwaitsStep&) {
+        throw;
     } catch (...) {
         return refuse(context, request);
     }

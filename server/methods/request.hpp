@@ -1,6 +1,7 @@
 // Handles one parsed JSON-RPC request.
 #pragma once
 
+#include <exception>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -14,9 +15,17 @@ struct CallContext; // methods/call_context.hpp
 // Counts and logs an error that belongs to a text and not to one of its requests. Returns the answer to that text.
 [[nodiscard]] nlohmann::json refuse_text(CallContext& context, nlohmann::json error);
 
-// Returns nothing for a notification. Never throws. Logs failures and slow calls. `waited`: seconds in the queue.
-[[nodiscard]] std::optional<nlohmann::json> handle(CallContext& context, const nlohmann::json& request,
-                                                   double waited = 0);
+// The turn of a request in the queue of slow calls.
+struct Turn {
+    double waited = 0;     // seconds in the queue before the first turn
+    bool is_again = false; // the turn before has thrown AwaitsStep
+};
+// A late step that the method needs is being read from its source. Handle the request again in a moment.
+class AwaitsStep : public std::exception {};
+
+// Returns nothing for a notification. Throws only AwaitsStep, for a slow method and at most for a minute. Logs failures
+// and slow calls.
+[[nodiscard]] std::optional<nlohmann::json> handle(CallContext& context, const nlohmann::json& request, Turn turn = {});
 // Answers the current exception. Returns nothing for a notification. Call it inside a catch block.
 [[nodiscard]] std::optional<nlohmann::json> refuse(CallContext& context, const nlohmann::json& request);
 

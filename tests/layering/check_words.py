@@ -9,7 +9,7 @@ import sys
 RETIRED = [
     (r"[Cc]olour", "color", {"CHANGELOG.md"}),
     (r"\bEngine::(signatures|propagation|naive)\b", "Algorithm", set()),
-    (r"CIEL_ENGINE|--engine\b", "--algorithm", {"server/app/scene_options.cpp", "CHANGELOG.md"}),
+    (r"CIEL_ENGINE|--engine\b", "--algorithm", {"server/app/scene_options.cpp", "tests/python/test_old_names.py", "CHANGELOG.md"}),
     (r"\bGeometryMesh\b", "wire::Primitives", set()),
     (r"\brender::Mesh\b", "render::Primitives", set()),
     (r"\brender::Page\b|\bannotations::Page\b", "annotations::Layout", set()),

@@ -159,8 +159,10 @@ def test_a_token_file_that_others_can_read_is_told(box, tmp_path):
 def test_token_files_that_cannot_be(tmp_path):
     (tmp_path / "empty").write_text("")
     (tmp_path / "short").write_text("short\n")
-    for file, words in ((tmp_path / "absent", "cannot be read"), (tmp_path / "empty", "empty"),
-                        (tmp_path / "short", "8 characters")):
+    (tmp_path / "blank").write_text("\n" + TOKEN + "\n")
+    (tmp_path / "spaces").write_text(" \t\n")
+    for file, words in ((tmp_path / "absent", "cannot be read"), (tmp_path / "empty", "empty"), (tmp_path / "blank", "empty"),
+                        (tmp_path / "spaces", "empty"), (tmp_path / "short", "8 characters")):
         result = ciel("serve", "--port", "0", "--token-file", file, "--log-level", "off", timeout=PATIENCE)
         assert result.returncode == 1 and words in result.stderr, result.stderr
     result = ciel("serve", "--token", TOKEN, "--token-file", tmp_path / "short", timeout=PATIENCE)

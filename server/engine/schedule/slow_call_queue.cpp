@@ -25,8 +25,7 @@ void SlowCallQueue::post(std::uint64_t connection, Job job) {
         throw limits::LimitReached(
             std::to_string(limits_.slow_calls_waiting) +
             " slow calls (pictures, exports) already wait on the server; try again in a few seconds");
-    const auto own = waiting_.find(connection);
-    if (own != waiting_.end() && own->second.size() >= limits_.slow_calls_of_connection)
+    if (count_waiting(connection) >= limits_.slow_calls_of_connection)
         throw limits::LimitReached(std::to_string(limits_.slow_calls_of_connection) +
                                    " slow calls (pictures, exports) of this connection already wait; try again when "
                                    "one of them has its answer");
@@ -37,6 +36,13 @@ void SlowCallQueue::post_next(std::uint64_t connection, Job job) {
     const std::scoped_lock lock(mutex_);
     check_open();
     add(connection, std::move(job));
+}
+
+void SlowCallQueue::post_after(std::chrono::milliseconds pause, std::uint64_t connection, Job job) {
+    const std::scoped_lock lock(mutex_);
+    check_open();
+    paused_.emplace(Clock::now() + pause, Paused{connection, std::move(job)});
+    changed_.notify_all();
 }
 
 void SlowCallQueue::check_open() const {
@@ -69,11 +75,14 @@ void SlowCallQueue::drop(std::uint64_t connection) {
     std::deque<Job> dropped;
     {
         const std::scoped_lock lock(mutex_);
-        const auto of = waiting_.find(connection);
-        if (of == waiting_.end()) return;
-        dropped = std::move(of->second);
-        waiting_.erase(of);
-        std::erase(turns_, connection);
+        if (const auto of = waiting_.find(connection); of != waiting_.end()) {
+            dropped = std::move(of->second);
+            waiting_.erase(of);
+            std::erase(turns_, connection);
+        }
+        for (auto& [due, paused] : paused_)
+            if (paused.connection == connection) dropped.push_back(std::move(paused.job));
+        std::erase_if(paused_, [&](const auto& entry) { return entry.second.connection == connection; });
     }
     for (const Job& job : dropped) job(Outcome::cancelled);
 }
@@ -84,6 +93,8 @@ void SlowCallQueue::drain() {
         const std::scoped_lock lock(mutex_);
         draining_ = true;
         dropped.swap(waiting_);
+        for (auto& [due, paused] : paused_) dropped[paused.connection].push_back(std::move(paused.job));
+        paused_.clear();
         turns_.clear();
     }
     for (const auto& [connection, jobs] : dropped)
@@ -92,9 +103,32 @@ void SlowCallQueue::drain() {
     changed_.wait(lock, [&] { return running_ == 0; });
 }
 
+void SlowCallQueue::resume_paused() {
+    while (!paused_.empty() && paused_.begin()->first <= Clock::now()) {
+        Paused paused = std::move(paused_.begin()->second);
+        paused_.erase(paused_.begin());
+        add(paused.connection, std::move(paused.job));
+    }
+}
+
+bool SlowCallQueue::wait_for_job(std::unique_lock<std::mutex>& lock, const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        resume_paused();
+        if (!turns_.empty()) return true;
+        if (paused_.empty()) {
+            changed_.wait(lock, stop, [&] { return !turns_.empty() || !paused_.empty(); });
+            continue;
+        }
+        const Clock::time_point due = paused_.begin()->first;
+        changed_.wait_until(lock, stop, due,
+                            [&] { return !turns_.empty() || paused_.empty() || paused_.begin()->first < due; });
+    }
+    return false;
+}
+
 void SlowCallQueue::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    while (changed_.wait(lock, stop, [&] { return !turns_.empty(); })) {
+    while (wait_for_job(lock, stop)) {
         Job job = take();
         ++running_;
         lock.unlock();
@@ -107,9 +141,16 @@ void SlowCallQueue::work(const std::stop_token& stop) {
 }
 
 std::size_t SlowCallQueue::count_waiting() const {
-    std::size_t count = 0;
+    std::size_t count = paused_.size();
     for (const auto& [connection, jobs] : waiting_) count += jobs.size();
     return count;
+}
+
+std::size_t SlowCallQueue::count_waiting(std::uint64_t connection) const {
+    const auto own = waiting_.find(connection);
+    const auto paused =
+        std::ranges::count(paused_, connection, [](const auto& entry) { return entry.second.connection; });
+    return static_cast<std::size_t>(paused) + (own == waiting_.end() ? 0 : own->second.size());
 }
 
 std::size_t SlowCallQueue::waiting() const {

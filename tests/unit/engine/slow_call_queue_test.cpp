@@ -131,6 +131,35 @@ TEST(slow_calls, drain_gives_up_what_waits_and_finishes_what_runs) {
     EXPECT_THROW(calls->post_next(1, calls.note('b')), Error);
 }
 
+TEST(slow_calls, a_call_that_waits_keeps_no_thread) {
+    limits::Limits limits;
+    limits.slow_calls = 1;
+    std::latch done(1);
+    std::atomic<bool> ran = false;
+    std::string cancelled;
+    const auto at_the_end = [&](SlowCallQueue::Outcome outcome) {
+        EXPECT_EQ(outcome, SlowCallQueue::Outcome::cancelled);
+    };
+    SlowCallQueue calls(limits);
+    calls.post(1, [&](SlowCallQueue::Outcome) {
+        calls.post_after(std::chrono::hours(1), 1, at_the_end);
+        calls.post_after(std::chrono::milliseconds(1), 1, [&](SlowCallQueue::Outcome) {
+            EXPECT_TRUE(ran);
+            done.count_down();
+        });
+        calls.post(2, [&](SlowCallQueue::Outcome) { ran = true; });
+    });
+    done.wait();
+    EXPECT_EQ(calls.waiting(), 1U);
+    limits.slow_calls_of_connection = 1;
+    EXPECT_THROW(calls.post(1, at_the_end), limits::LimitReached) << "it counts as waiting";
+    calls.post_after(std::chrono::hours(1), 4, [&](SlowCallQueue::Outcome outcome) {
+        cancelled += outcome == SlowCallQueue::Outcome::cancelled ? "4" : "?";
+    });
+    calls.drop(4);
+    EXPECT_EQ(cancelled, "4");
+}
+
 TEST(slow_calls, go_on_after_a_job_that_throws) {
     limits::Limits limits;
     limits.slow_calls = 1;

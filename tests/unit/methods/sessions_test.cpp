@@ -146,5 +146,22 @@ TEST_F(Methods, an_answer_too_long_for_a_message_is_refused_on_a_websocket_and_g
     EXPECT_FALSE(json::parse(text)[0]["error"]["data"]["request"].get<std::string>().empty());
 }
 
+TEST_F(Methods, an_answer_is_not_too_long_because_of_its_ids) {
+    json one = Client::request_of("server.info", json::object()), batch = json::array();
+    one["id"] = std::string(600'000, 'i');
+    for (int i = 0; i < 60; ++i) {
+        batch.push_back(Client::request_of("server.info", json::object()));
+        batch.back()["id"] = std::string(15'000, 'i');
+    }
+    for (const json& sent : {one, batch}) {
+        const std::string text = client.send(sent.dump());
+        EXPECT_LT(text.size(), wire::longest_message);
+        EXPECT_EQ(json::parse(text)["id"], nullptr);
+        EXPECT_EQ(json::parse(text)["error"]["code"], -32006);
+    }
+    Client script(server, false);
+    EXPECT_EQ(json::parse(script.send(one.dump()))["id"], one["id"]);
+}
+
 } // namespace
 } // namespace ciel::test

@@ -1,24 +1,19 @@
-#include "importing/step_reader.hpp"
-
-#include "importing/importer.hpp"
-#include "importing/without_folder.hpp"
-#include "store/files/files.hpp"
+#include "engine/schedule/late_step_queue.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-namespace server::importing {
+namespace server::engine {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::minutes failure_lasts{5};
-constexpr std::chrono::milliseconds pause_when_read{200};
 constexpr std::size_t steps_ahead = 2, most_wanted = 8; // older requests are dropped; their views ask again
 
 } // namespace
 
-struct StepReader::Work {
+struct LateStepQueue::Work {
     std::string id;                                // of the dataset
     std::shared_ptr<const store::Dataset> dataset; // null while no step is wanted
     std::vector<std::size_t> wanted;               // steps that were asked for; the last one is read first
@@ -34,10 +29,10 @@ struct StepReader::Work {
     std::jthread thread;
 };
 
-StepReader::StepReader(std::filesystem::path folder, std::function<void(const std::filesystem::path&)> tell)
-    : folder_(std::move(folder)), tell_(std::move(tell)) {}
+LateStepQueue::LateStepQueue(ReadLateStep read, std::function<void(const std::filesystem::path&)> tell)
+    : read_(std::move(read)), tell_(std::move(tell)) {}
 
-StepReader::~StepReader() {
+LateStepQueue::~LateStepQueue() {
     {
         const std::scoped_lock lock(mutex_);
         ending_ = true;
@@ -46,7 +41,7 @@ StepReader::~StepReader() {
     works_.clear(); // waits for the threads
 }
 
-store::LateAnswer StepReader::ask(const store::Dataset& dataset, std::size_t step) {
+store::LateAnswer LateStepQueue::ask(const store::Dataset& dataset, std::size_t step) {
     const std::scoped_lock lock(mutex_);
     auto& found = works_[dataset.directory()];
     if (!found) found = std::make_unique<Work>();
@@ -77,13 +72,13 @@ store::LateAnswer StepReader::ask(const store::Dataset& dataset, std::size_t ste
 }
 
 // Requires mutex_ to be held.
-void StepReader::end(Work& work) {
+void LateStepQueue::end(Work& work) {
     work.running.reset();
     work.is_running = false;
     work.dataset.reset();
 }
 
-void StepReader::read_all(Work& work) noexcept {
+void LateStepQueue::read_all(Work& work) noexcept {
     try {
         read_wanted(work);
     } catch (const std::exception&) { // memory is short; the next request begins again
@@ -93,7 +88,7 @@ void StepReader::read_all(Work& work) noexcept {
     }
 }
 
-void StepReader::read_wanted(Work& work) {
+void LateStepQueue::read_wanted(Work& work) {
     std::unique_lock lock(mutex_);
     while (!ending_ && (!work.wanted.empty() || !work.ahead.empty())) {
         const bool is_asked_for = !work.wanted.empty();
@@ -103,7 +98,7 @@ void StepReader::read_wanted(Work& work) {
         work.cancel = false;
         const auto dataset = work.dataset;
         lock.unlock();
-        const std::string problem = read(*dataset, step, work.cancel);
+        const std::string problem = read_(*dataset, step, work.cancel);
         lock.lock();
         work.running.reset();
         if (ending_) break;
@@ -120,25 +115,4 @@ void StepReader::read_wanted(Work& work) {
     end(work); // in the same locked section as the last look at `wanted`
 }
 
-// Returns the error sentence; empty on success.
-std::string StepReader::read(const store::Dataset& dataset, std::size_t step, const std::atomic<bool>& cancel) const {
-    try {
-        if (dataset.late_chunks(step).empty()) { // another process has read it; the views may be told too early
-            std::this_thread::sleep_for(pause_when_read);
-            return {};
-        }
-        ImportValues values{{"inputs", {dataset.directory().string()}}, {"step", {std::to_string(step)}}};
-        if (!folder_.empty()) values["late-folder"] = {folder_.string()};
-        const ImportListener silent{[](double, const std::string&) {}, [](const std::string&) {}};
-        std::string problem = run_import(values, {}, silent, cancel).problem;
-        for (const std::filesystem::path& known : {folder_ / "", dataset.directory()})
-            problem = without_folder(std::move(problem), known.parent_path());
-        for (const std::string& input : dataset.info().late.inputs)
-            problem = without_folder(std::move(problem), std::filesystem::path(input).parent_path());
-        return problem;
-    } catch (const std::exception& error) {
-        return store::sentence_for_clients(error);
-    }
-}
-
-} // namespace server::importing
+} // namespace server::engine
