@@ -88,10 +88,10 @@ bool token_allowed(const AccessRules& rules, std::string_view presented) {
 
 std::string cookie_value(std::string_view header, std::string_view name) {
     std::string value;
-    any_part(header, ';', [&](std::string_view part) {
-        const auto equals = part.find('=');
-        if (equals == std::string_view::npos || part.substr(0, equals) != name) return false;
-        value = part.substr(equals + 1);
+    any_item(header, ';', [&](std::string_view item) {
+        const auto equals = item.find('=');
+        if (equals == std::string_view::npos || item.substr(0, equals) != name) return false;
+        value = item.substr(equals + 1);
         return true;
     });
     return value;
@@ -103,7 +103,7 @@ std::string token_cookie(const AccessRules& rules, bool secure) {
 }
 
 bool offers_subprotocol(std::string_view header) {
-    return any_part(header, ',', [](std::string_view part) { return part == subprotocol; });
+    return any_item(header, ',', [](std::string_view item) { return item == subprotocol; });
 }
 
 bool is_handshake_key(std::string_view header) {

@@ -18,13 +18,13 @@ namespace server::gateway {
     return text;
 }
 
-// Calls visit(part) for each part without white space around it, until visit returns true. Returns whether it did.
+// Calls visit(item) for each item without white space around it, until visit returns true. Returns whether it did.
 template <typename Visit>
-bool any_part(std::string_view text, char separator, const Visit& visit) {
+bool any_item(std::string_view text, char separator, const Visit& visit) {
     while (!text.empty()) {
-        const auto part = text.substr(0, text.find(separator));
-        if (visit(trimmed(part))) return true;
-        text.remove_prefix(std::min(part.size() + 1, text.size()));
+        const auto item = text.substr(0, text.find(separator));
+        if (visit(trimmed(item))) return true;
+        text.remove_prefix(std::min(item.size() + 1, text.size()));
     }
     return false;
 }

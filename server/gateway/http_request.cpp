@@ -83,6 +83,11 @@ std::optional<Response> refused_head(const HttpRequest& message) {
 std::optional<Response> refused_handshake(const HttpRequest& message) {
     if (!offers_subprotocol(joined(message, http::field::sec_websocket_protocol)))
         return sentence(400, "This WebSocket needs the subprotocol ciel.v1 (Sec-WebSocket-Protocol).");
+    if (view_of(message[http::field::sec_websocket_version]) != "13") {
+        Response refusal = sentence(426, "The version of the WebSocket protocol must be 13 (Sec-WebSocket-Version).");
+        refusal.headers.emplace_back("Sec-WebSocket-Version", "13"); // RFC 6455, 4.4
+        return refusal;
+    }
     if (!is_handshake_key(view_of(message[http::field::sec_websocket_key])))
         return sentence(400, "Sec-WebSocket-Key must be 16 bytes in base64.");
     return std::nullopt;

@@ -1,3 +1,4 @@
+// POST /rpc: a JSON-RPC text as an HTTP request.
 #pragma once
 
 #include "gateway/asio.hpp"

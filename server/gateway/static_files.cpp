@@ -73,7 +73,7 @@ std::string gzipped(const std::string& content) {
 
 double weight_of(std::string_view coding) {
     double weight = 1;
-    any_part(coding, ';', [&](std::string_view parameter) {
+    any_item(coding, ';', [&](std::string_view parameter) {
         if (parameter.size() < 2 || lower(parameter[0]) != 'q' || parameter[1] != '=') return false;
         const auto number = parameter.substr(2);
         const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), weight);
@@ -137,7 +137,7 @@ std::string_view mime_type(std::string_view extension) {
 
 bool accepts_gzip(std::string_view accept_encoding) {
     double gzip = -1, any = 0;
-    any_part(accept_encoding, ',', [&](std::string_view coding) {
+    any_item(accept_encoding, ',', [&](std::string_view coding) {
         const auto name = trimmed(coding.substr(0, coding.find(';')));
         if (same_ignoring_case(name, "gzip") || same_ignoring_case(name, "x-gzip")) gzip = weight_of(coding);
         if (name == "*") any = weight_of(coding);

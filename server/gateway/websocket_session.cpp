@@ -1,6 +1,7 @@
 #include "gateway/websocket_session.hpp"
 
 #include "gateway/send_queue.hpp"
+#include "logging/log.hpp"
 
 #include <boost/asio/post.hpp>
 #include <boost/beast/core/buffers_to_string.hpp>
@@ -61,6 +62,7 @@ private:
     std::string take_binary(std::string_view bytes, const Answer& reply);
     void send_queue_pushed();
     void end();
+    void log_end(std::string_view reason) const;
     void cut() { beast::get_lowest_layer(socket_).close(); }
 
     GatewayState& state_;
@@ -68,7 +70,7 @@ private:
     websocket::stream<beast::tcp_stream> socket_;
     std::shared_ptr<SendQueue> send_queue_;
     std::shared_ptr<Peer> peer_;
-    std::string remote_;
+    std::string remote_, user_;
     std::stop_source closed_;
     struct Inbound {
         std::string bytes;
@@ -117,6 +119,7 @@ void WebSocketSession::open(Client client) {
             });
         });
     remote_ = client.remote;
+    user_ = client.user;
     client.id = state_.next_connection_id++;
     client.stop = closed_.get_token();
     client.send_text = [send_queue = send_queue_](std::string text) { send_queue->push_text(std::move(text)); };
@@ -163,7 +166,11 @@ asio::awaitable<void> WebSocketSession::read() {
         beast::flat_buffer buffer;
         error_code error;
         co_await socket_.async_read(buffer, asio::redirect_error(asio::use_awaitable, error));
-        if (error) co_return; // closed, lost or idle too long; for a bad message, Beast has sent 1002, 1007 or 1009
+        const bool is_bad_message = error == websocket::condition::protocol_violation ||
+                                    error == websocket::error::message_too_big ||
+                                    error == websocket::error::buffer_overflow;
+        if (is_bad_message) log_end(error.message()); // Beast has sent 1002, 1007 or 1009
+        if (error) co_return;                         // bad message, closed, lost or idle too long
         if (close_) continue;
         if (socket_.got_text()) ++state_.counters.texts_received;
         inbox_bytes_ += buffer.size();
@@ -191,7 +198,10 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
                 return take_binary(message.bytes, reply);
             return std::string();
         });
-        if (!problem.empty()) request_close(close_code::unknown_data, problem);
+        if (!problem.empty()) {
+            log_end(problem);
+            request_close(close_code::unknown_data, problem);
+        }
         inbox_bytes_ -= message.bytes.size();
         inbox_held_.note(inbox_bytes_);
         inbox_changed_.cancel();
@@ -260,10 +270,15 @@ void WebSocketSession::drain() {
 
 void WebSocketSession::send_queue_pushed() {
     if (send_queue_->overflowed()) {
-        spdlog::info("{} does not read its answers and was disconnected", remote_);
+        log_end("the client does not read its answers");
         cut();
     }
     send_queue_changed_.cancel();
+}
+
+void WebSocketSession::log_end(std::string_view reason) const {
+    logging::log_event(logging::LogLevel::info, "a WebSocket was closed",
+                       {{"reason", reason}, {"user", user_}, {"remote", remote_}});
 }
 
 void WebSocketSession::end() {

@@ -10,21 +10,31 @@
 namespace server::methods {
 namespace {
 
+struct Failure {
+    std::string reason, request;
+};
+
+// Counts and logs the current exception. Call it inside a catch block.
+Failure note_failure(engine::Server& server, const sessions::Connection& connection) {
+    const nlohmann::json error = error_of_current_exception();
+    const int code = error["code"].get<int>();
+    Failure failure{error["data"]["reason"], logging::next_request_id()};
+    server.counters().count_error(code);
+    logging::log_event(logging::LogLevel::info, "call failed",
+                       {{"method", "append.piece"},
+                        {"code", code},
+                        {"reason", failure.reason},
+                        {"request", failure.request},
+                        {"user", connection.user},
+                        {"remote", connection.remote}});
+    return failure;
+}
+
 void add(engine::Server& server, const sessions::Connection& connection, const wire::UploadPiece& piece) {
     try {
         (void)server.uploads().add(piece);
     } catch (...) {
-        const nlohmann::json error = error_of_current_exception();
-        const int code = error["code"].get<int>();
-        const std::string reason = error["data"]["reason"], request = logging::next_request_id();
-        server.counters().count_error(code);
-        logging::log_event(logging::LogLevel::info, "call failed",
-                           {{"method", "append.piece"},
-                            {"code", code},
-                            {"reason", reason},
-                            {"request", request},
-                            {"user", connection.user},
-                            {"remote", connection.remote}});
+        const auto [reason, request] = note_failure(server, connection);
         connection.send_text(
             sessions::notification_text(protocol::AppendRefused{engine::to_text(piece.upload), reason, request}));
     }
@@ -41,10 +51,11 @@ std::optional<std::string> receive_binary(engine::Server& server, const sessions
         add(server, connection, piece);
         return {};
     } catch (const limits::NotAllowed&) {
+        (void)note_failure(server, connection);
         return "binary messages carry the pieces of append.piece, which need `ciel serve --allow-append` and the "
                "server's token; send other calls as text";
-    } catch (const std::exception& error) {
-        return error.what();
+    } catch (...) {
+        return note_failure(server, connection).reason;
     }
 }
 

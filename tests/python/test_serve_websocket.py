@@ -167,6 +167,27 @@ def test_broken_frames_end_their_connection_only(server, name, data, code):
     assert opens(server)
 
 
+def test_what_ends_a_connection_has_a_line_in_the_log(tmp_path):
+    box_dataset.write_box(tmp_path / "box.ciel", n=3)
+    log = tmp_path / "log"
+    with Server(tmp_path / "box.ciel", log=log) as running:
+        Raw(running).send(masked(3, b"{}")).close_code()
+        Raw(running).send(masked(2, b"{}")).close_code()
+        Raw(running).send(masked(8, struct.pack("!H", 1000))).close_code()
+        lines = [line for line in log.read_text().splitlines() if "a WebSocket was closed" in line]
+        assert len(lines) == 2, lines
+        assert "bad opcode" in lines[0] and "--allow-append" in lines[1] and all("remote=127.0.0.1" in line for line in lines)
+
+
+def test_another_version_of_the_protocol_is_refused(server):
+    for version in ("12", "", "13, 8"):
+        headers = {"Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": version,
+                   "Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA==", "Sec-WebSocket-Protocol": "ciel.v1"}
+        answer = server.get("/ws", headers=headers)
+        assert answer.status_code == 426 and answer.headers["Sec-WebSocket-Version"] == "13", version
+        assert answer.headers["Date"] and answer.headers["X-Request-Id"]
+
+
 def test_a_close_is_answered(server):
     assert Raw(server).send(masked(8, struct.pack("!H", 1000))).close_code() == 1000
 

@@ -69,7 +69,7 @@ TEST(WaitingCallBytes, BoundWhatIsReadWhileACallRuns) {
         const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(20);
         while (waiting() <= most_waiting && std::chrono::steady_clock::now() < patience)
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        std::this_thread::sleep_for(std::chrono::milliseconds(200)); // a server that goes on reading does so meanwhile
+        std::this_thread::sleep_for(std::chrono::milliseconds(200)); // time in which a faulty server would read more
         EXPECT_EQ(waiting(), 2 * message_bytes) << "only the message that passes the limit is read beyond it";
         EXPECT_EQ(service.begun, 1) << "messages are handled in order";
 

@@ -3,6 +3,7 @@
 
 #include "engine/uploads.hpp"
 #include "limits/errors.hpp"
+#include "logging/log.hpp"
 #include "methods/base64.hpp"
 #include "store/writer.hpp"
 
@@ -230,6 +231,19 @@ TEST_F(Append, a_binary_message_that_is_no_piece_ends_the_connection) {
                                with(28, 5), with(31, 255), Bytes(good.begin(), good.end() - 1)})
         EXPECT_NE(client_.send_bytes(bytes), std::nullopt);
     EXPECT_EQ(client_.send_bytes(good), std::nullopt);
+}
+
+TEST_F(Append, a_binary_message_that_is_refused_has_a_line_in_the_log) {
+    const Bytes good = message(begin(3), 0, 0, Bytes(4));
+    Client stranger(server_, true);
+    testing::internal::CaptureStderr();
+    logging::start_log("info", logging::LogFormat::text);
+    EXPECT_NE(client_.send_bytes(Bytes(39)), std::nullopt);
+    EXPECT_THAT(stranger.send_bytes(good).value_or(""), testing::HasSubstr("the server's token"));
+    logging::start_log("off", logging::LogFormat::text);
+    const std::string log = testing::internal::GetCapturedStderr();
+    EXPECT_THAT(log, testing::ContainsRegex("call failed method=append.piece code=-[0-9]+ reason=\".*\" request="));
+    EXPECT_EQ(std::ranges::count(log, '\n'), 2) << log;
 }
 
 TEST_F(Append, a_commit_without_memory_for_its_values_is_refused_and_can_be_repeated) {
