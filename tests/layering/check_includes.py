@@ -1,7 +1,7 @@
 """Fails when an include crosses an edge that CMake does not declare, goes up in a room's order of folders, or takes a
 library of the outside world into another room, when the declared edges form a circle, when a room above the store reads
-the face lists of a mesh, when a private name of the kernel is not in ciel::detail or is used elsewhere, or when a room
-opens the kernel's namespace."""
+the face lists of a mesh, when a private name of the kernel is not in ciel::detail or is used elsewhere, when a room opens
+the kernel's namespace, or when a unit test opens the namespace of a room that it does not test."""
 
 import graphlib
 import pathlib
@@ -19,6 +19,7 @@ OUTSIDE = {
     "ft2build.h": {"fonts"},
     "fontconfig/": {"fonts"},
     "tbb/": {"ciel"},
+    "thread": {"ciel", "engine", "gateway", "importing", "limits", "render", "store"},  # who starts threads
     "voro++": {"demo"},
     "CLI/": {"app", "import"},
     "spdlog/": {"logging", "gateway", "app"},
@@ -127,10 +128,22 @@ def rooms_in_the_kernel(server):
     ]
 
 
+def misplaced_tests(root):
+    """Returns a sentence for each unit test that opens the namespace of another room than that of its folder."""
+    names = {"import": "importer"}  # `import` is a reserved word of C++20
+    return [
+        f"{source}:{number}: {line}: this folder tests the room {source.relative_to(root / 'tests/unit').parts[0]}"
+        for source in sorted((root / "tests/unit").rglob("*.[ch]pp"))
+        for number, line in enumerate(source.read_text().splitlines(), 1)
+        if (opened := re.match(r"namespace server::(\w+)", line))
+        and opened.group(1) != names.get(room := source.relative_to(root / "tests/unit").parts[0], room)
+    ]
+
+
 def main(server: pathlib.Path, edges_file: pathlib.Path) -> int:
     edges, orders = read_declared(edges_file)
     rooms = {path.name for path in server.iterdir() if path.is_dir()}
-    problems = circle_in(edges) + wrong_namespaces(server) + rooms_in_the_kernel(server)
+    problems = circle_in(edges) + wrong_namespaces(server) + rooms_in_the_kernel(server) + misplaced_tests(server.parent)
     for source in sorted(server.rglob("*.[ch]pp")):
         relative = source.relative_to(server)
         room, folder = place_of(relative)

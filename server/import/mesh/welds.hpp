@@ -30,7 +30,8 @@ struct Welds {
     std::vector<std::string> notes;
 };
 
-// Joins the points of `cut` in every mode. Does not weld a seam for which `difference` returns a name.
+// Joins the points of `cut` in every mode. A seam stays open if a quantity differs between its two sides; `difference`
+// then returns the name of this quantity.
 [[nodiscard]] Welds find_welds(const JoinedMesh& mesh, Weld mode, const PieceJoins& cut,
                                const SeamDifference& difference);
 

@@ -9,8 +9,8 @@ namespace server::importer {
 
 struct IndexEntry {
     double time = 0;
-    std::string part; // name of the part, may be empty; entries with equal times are parts of one mesh
-    std::string file; // path of the data file as written, relative to the index file
+    std::string piece; // name of the piece, may be empty; entries with equal times are pieces of one mesh
+    std::string file;  // path of the data file as written, relative to the index file
 };
 
 // Parses ParaView's PVD: <VTKFile type="Collection"><Collection><DataSet timestep= part= name= file=/>...

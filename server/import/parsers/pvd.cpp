@@ -34,7 +34,7 @@ std::vector<IndexEntry> parse_pvd(std::string_view text, const std::string& name
     std::vector<IndexEntry> entries;
     for (const pugi::xml_node& node : file.child("Collection").children("DataSet")) {
         IndexEntry entry{parse_time(node, name), node.attribute("name").value(), node.attribute("file").value()};
-        if (entry.part.empty()) entry.part = node.attribute("part").value();
+        if (entry.piece.empty()) entry.piece = node.attribute("part").value();
         if (entry.file.empty()) throw ciel::Error(name + ": a DataSet element names no file; add the attribute file");
         entries.push_back(std::move(entry));
     }

@@ -34,8 +34,8 @@ public:
 
     [[nodiscard]] std::optional<std::vector<ArrayName>> listed_arrays(std::size_t step) const override {
         std::vector<ArrayName> all;
-        for (const IndexEntry& part : steps_[step]) {
-            const auto listed = opened(part.file)->listed_arrays(0);
+        for (const IndexEntry& entry : steps_[step]) {
+            const auto listed = opened(entry.file)->listed_arrays(0);
             if (!listed) return std::nullopt;
             all.insert(all.end(), listed->begin(), listed->end());
         }
@@ -43,13 +43,14 @@ public:
     }
 
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
-        const std::vector<IndexEntry>& parts = steps_[step];
+        const std::vector<IndexEntry>& entries = steps_[step];
         lost_.clear();
-        if (parts.size() == 1) return read_part(parts.front(), progress);
+        if (entries.size() == 1) return read_entry(entries.front(), progress);
         return read_pieces(
-            parts.size(), [&](std::size_t i, const ReadProgress& of_part) { return read_part(parts[i], of_part); },
-            [&](std::size_t i) { return parts[i].part.empty() ? "part " + std::to_string(i) : parts[i].part; }, lost_,
-            progress);
+            entries.size(),
+            [&](std::size_t i, const ReadProgress& of_entry) { return read_entry(entries[i], of_entry); },
+            [&](std::size_t i) { return entries[i].piece.empty() ? "part " + std::to_string(i) : entries[i].piece; },
+            lost_, progress);
     }
 
     [[nodiscard]] std::vector<std::string> lost() const override { return lost_; }
@@ -60,11 +61,11 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> files_of(std::size_t step,
                                                               const std::set<std::string>&) const override {
         std::vector<std::filesystem::path> all;
-        for (const IndexEntry& part : steps_[step]) {
-            const auto open = find_format(part.file).open;
+        for (const IndexEntry& entry : steps_[step]) {
+            const auto open = find_format(entry.file).open;
             if (open != open_vtk_xml && open != open_legacy_vtk) return {};
             const auto files =
-                open == open_vtk_xml ? files_of_vtk_xml(part.file) : std::vector{std::filesystem::path(part.file)};
+                open == open_vtk_xml ? files_of_vtk_xml(entry.file) : std::vector{std::filesystem::path(entry.file)};
             all.insert(all.end(), files.begin(), files.end());
         }
         return all;
@@ -81,7 +82,7 @@ private:
         return open_source({file}, options_);
     }
 
-    vtkSmartPointer<vtkDataObject> read_part(const IndexEntry& entry, const ReadProgress& progress) {
+    vtkSmartPointer<vtkDataObject> read_entry(const IndexEntry& entry, const ReadProgress& progress) {
         const auto source = opened(entry.file);
         auto data = source->read(0, progress);
         for (const std::string& sentence : source->lost()) lost_.push_back(sentence);

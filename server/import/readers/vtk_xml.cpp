@@ -141,7 +141,8 @@ std::unique_ptr<Source> open_vtk_xml(const Inputs& inputs, const SourceOptions&)
         if (!row.composite) list_arrays = [&reader] { return arrays_of(*reader); };
         return std::make_unique<ReaderSource>("VTK XML " + type, file, reader, list_arrays);
     }
-    throw ciel::Error(file + ": is a VTK XML file of type \"" + type + "\", which holds no volume mesh");
+    throw ciel::Error(file + ": is a VTK XML file of type \"" + type +
+                      "\", which holds no volume mesh; give a file of volume cells, such as a VTU");
 }
 
 } // namespace server::importer

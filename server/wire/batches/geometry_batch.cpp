@@ -111,10 +111,10 @@ void append_string(std::string& json, std::string_view text) {
 const char* name_of(bool value) { return value ? "true" : "false"; }
 
 // A record has 12 bytes for the grid position minus `low`, and with normals 4 more, of which 2 are unused.
-Quantized mesh_part(const Batch& batch, double step) {
+Quantized shape_array(const Batch& batch, double step) {
     const Primitives& mesh = *batch.mesh;
-    Quantized part;
-    part.stride = mesh.normals.empty() ? 12 : 16;
+    Quantized array;
+    array.stride = mesh.normals.empty() ? 12 : 16;
     std::vector<std::array<std::int32_t, 3>> places;
     places.reserve(batch.vertices.size());
     std::array<std::int32_t, 3> low{INT32_MAX, INT32_MAX, INT32_MAX};
@@ -125,27 +125,27 @@ Quantized mesh_part(const Batch& batch, double step) {
             low[axis] = std::min(low[axis], place[axis]);
         }
     }
-    part.low = {low[0], low[1], low[2]};
-    part.bytes.resize(places.size() * part.stride);
-    std::uint8_t* at = part.bytes.data();
-    for (std::size_t i = 0; i < places.size(); ++i, at += part.stride) {
+    array.low = {low[0], low[1], low[2]};
+    array.bytes.resize(places.size() * array.stride);
+    std::uint8_t* at = array.bytes.data();
+    for (std::size_t i = 0; i < places.size(); ++i, at += array.stride) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             put(at + 4 * axis, static_cast<std::uint32_t>(places[i][axis] - low[axis]));
         if (mesh.normals.empty()) continue;
         const auto normal = octahedral(mesh.normals[batch.vertices[i]]);
         std::memcpy(at + 12, normal.data(), normal.size());
     }
-    const XXH64_hash_t vertices = XXH3_64bits(part.bytes.data(), part.bytes.size());
-    const std::array<double, 6> rest{step,           double(low[0]),      double(low[1]),
-                                     double(low[2]), double(part.stride), double(corners_of(mesh))};
-    part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest,
-                                   XXH3_64bits_withSeed(batch.indices.data(), 4 * batch.indices.size(), vertices));
-    return part;
+    const XXH64_hash_t vertices = XXH3_64bits(array.bytes.data(), array.bytes.size());
+    const std::array<double, 6> rest{step,           double(low[0]),       double(low[1]),
+                                     double(low[2]), double(array.stride), double(corners_of(mesh))};
+    array.id = XXH3_64bits_withSeed(rest.data(), sizeof rest,
+                                    XXH3_64bits_withSeed(batch.indices.data(), 4 * batch.indices.size(), vertices));
+    return array;
 }
 
 bool has_values(const Primitives& mesh) { return !mesh.scalars.empty() || !mesh.values.empty(); }
 
-Quantized values_part(const Batch& batch) {
+Quantized values_array(const Batch& batch) {
     const Primitives& mesh = *batch.mesh;
     std::vector<double> values;
     if (!mesh.scalars.empty()) {
@@ -155,18 +155,18 @@ Quantized values_part(const Batch& batch) {
         const auto own = mesh.values.subview(batch.first, batch.indices.size() / corners_of(mesh));
         values.assign(own.begin(), own.end());
     }
-    Quantized part;
-    part.bytes.resize(4 * values.size());
+    Quantized array;
+    array.bytes.resize(4 * values.size());
     if (mesh.value_step > 0) {
         const QuantizedValues places = quantized(values, mesh.range[0], mesh.value_step);
-        part.low[0] = places.low;
-        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, places.places[i]);
+        array.low[0] = places.low;
+        for (std::size_t i = 0; i < values.size(); ++i) put(array.bytes.data() + 4 * i, places.places[i]);
     } else {
-        for (std::size_t i = 0; i < values.size(); ++i) put(part.bytes.data() + 4 * i, static_cast<float>(values[i]));
+        for (std::size_t i = 0; i < values.size(); ++i) put(array.bytes.data() + 4 * i, static_cast<float>(values[i]));
     }
-    const std::array<double, 4> rest{mesh.value_step, double(part.low[0]), mesh.range[0], double(mesh.values.empty())};
-    part.id = XXH3_64bits_withSeed(rest.data(), sizeof rest, XXH3_64bits(part.bytes.data(), part.bytes.size()));
-    return part;
+    const std::array<double, 4> rest{mesh.value_step, double(array.low[0]), mesh.range[0], double(mesh.values.empty())};
+    array.id = XXH3_64bits_withSeed(rest.data(), sizeof rest, XXH3_64bits(array.bytes.data(), array.bytes.size()));
+    return array;
 }
 
 std::string hexadecimal(std::uint64_t id) {
@@ -180,8 +180,8 @@ struct Counts { // compressed bytes per array; 0: not sent, because the receiver
     std::size_t vertices = 0, indices = 0, values = 0;
 };
 
-void append_parts(std::string& json, const Primitives& mesh, const Quantized& shape, const Quantized& values,
-                  double step, const Counts& counts) {
+void append_arrays(std::string& json, const Primitives& mesh, const Quantized& shape, const Quantized& values,
+                   double step, const Counts& counts) {
     json += ", \"mesh\": {\"id\": \"" + hexadecimal(shape.id) + "\", \"step\": ";
     append_number(json, step);
     json += ", \"low\": ";
@@ -211,7 +211,7 @@ struct Place { // index of a batch in the frame, number of batches in the frame,
     std::uint32_t base = 0;
 };
 
-std::string description(const Batch& batch, ciel::Vec3d origin, const std::string& parts, const Place& place) {
+std::string description(const Batch& batch, ciel::Vec3d origin, const std::string& arrays, const Place& place) {
     const Primitives& mesh = *batch.mesh;
     std::string json = "{\"layer\": ";
     append_string(json, mesh.layer);
@@ -219,7 +219,7 @@ std::string description(const Batch& batch, ciel::Vec3d origin, const std::strin
     json += ", \"vertices\": " + std::to_string(batch.vertices.size());
     json += ", \"indices\": " + std::to_string(batch.indices.size());
     json += std::string(", \"normals\": ") + name_of(!mesh.normals.empty());
-    json += parts + ", \"map\": ";
+    json += arrays + ", \"map\": ";
     append_string(json, mesh.map);
     json += ", \"range\": ";
     append_array(json, mesh.range);
@@ -240,35 +240,35 @@ std::string description(const Batch& batch, ciel::Vec3d origin, const std::strin
     return json + ", \"base\": " + std::to_string(place.base) + "}";
 }
 
-std::vector<std::uint8_t> with_description(const std::string& json, const std::vector<std::uint8_t>& parts) {
+std::vector<std::uint8_t> with_description(const std::string& json, const std::vector<std::uint8_t>& arrays) {
     std::vector<std::uint8_t> out(4);
-    out.reserve(4 + json.size() + parts.size());
+    out.reserve(4 + json.size() + arrays.size());
     put(out.data(), static_cast<std::uint32_t>(json.size()));
     out.insert(out.end(), json.begin(), json.end());
-    out.insert(out.end(), parts.begin(), parts.end());
+    out.insert(out.end(), arrays.begin(), arrays.end());
     return out;
 }
 
 std::vector<std::uint8_t> encode(const Batch& batch, ciel::Vec3d origin, double step, const HeldArrays& held,
                                  const Place& place, ArrayIds& ids) {
     const Primitives& mesh = *batch.mesh;
-    const Quantized shape = mesh_part(batch, step);
-    const Quantized values = values_part(batch);
+    const Quantized shape = shape_array(batch, step);
+    const Quantized values = values_array(batch);
     Counts counts;
-    std::vector<std::uint8_t> parts;
+    std::vector<std::uint8_t> arrays;
     if (!held.ids.contains(shape.id)) {
-        counts.vertices = append_vertices(parts, shape.bytes, shape.stride);
-        counts.indices = mesh.lines || mesh.points ? append_sequence(parts, batch.indices, batch.vertices.size())
-                                                   : append_triangles(parts, batch.indices, batch.vertices.size());
+        counts.vertices = append_vertices(arrays, shape.bytes, shape.stride);
+        counts.indices = mesh.lines || mesh.points ? append_sequence(arrays, batch.indices, batch.vertices.size())
+                                                   : append_triangles(arrays, batch.indices, batch.vertices.size());
     }
     ids.insert(shape.id);
     if (has_values(mesh)) {
-        if (!held.ids.contains(values.id)) counts.values = append_vertices(parts, values.bytes, values.stride);
+        if (!held.ids.contains(values.id)) counts.values = append_vertices(arrays, values.bytes, values.stride);
         ids.insert(values.id);
     }
     std::string read;
-    append_parts(read, mesh, shape, values, step, counts);
-    return with_description(description(batch, origin, read, place), parts);
+    append_arrays(read, mesh, shape, values, step, counts);
+    return with_description(description(batch, origin, read, place), arrays);
 }
 
 } // namespace

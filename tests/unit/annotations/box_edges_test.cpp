@@ -1,11 +1,12 @@
 // Which edges of the bounding box get tick numbers, for several views.
+#include "annotated_frames.hpp"
 #include "annotations/box_edges.hpp"
-#include "pages.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace server::render {
+namespace server::annotations {
+using namespace server::render;
 using namespace ciel;
 namespace {
 
@@ -86,4 +87,4 @@ TEST(BoxEdges, ProjectFarFromTheOriginToTheSamePixels) {
 }
 
 } // namespace
-} // namespace server::render
+} // namespace server::annotations

@@ -1,16 +1,17 @@
 // Rules of every layout, for many sizes, scales and views: text is inside the picture and never overlaps other text.
+#include "annotated_frames.hpp"
 #include "annotations/box_edges.hpp"
 #include "annotations/layout.hpp"
 #include "annotations/make_room.hpp"
 #include "fonts/font.hpp"
-#include "pages.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
 
-namespace server::render {
+namespace server::annotations {
+using namespace server::render;
 using namespace ciel;
 namespace {
 
@@ -311,4 +312,4 @@ TEST_F(LayoutTest, ContrastsWithTheBackground) {
 }
 
 } // namespace
-} // namespace server::render
+} // namespace server::annotations

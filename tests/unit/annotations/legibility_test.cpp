@@ -1,13 +1,14 @@
 // Contrast of all text (WCAG 2.1) with the pixels around its letters, over any picture.
+#include "annotated_frames.hpp"
 #include "annotations/layout.hpp"
 #include "fonts/font.hpp"
-#include "pages.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
-namespace server::render {
+namespace server::annotations {
+using namespace server::render;
 using namespace ciel;
 namespace {
 
@@ -163,4 +164,4 @@ TEST(Legibility, PlatesAreNotSeenWherePicturesAreEmpty) {
 }
 
 } // namespace
-} // namespace server::render
+} // namespace server::annotations

@@ -1,14 +1,15 @@
 // Annotations as pixels, on every back end of this machine.
+#include "annotated_frames.hpp"
 #include "annotations/layout.hpp"
 #include "color/color_map.hpp"
 #include "fonts/font.hpp"
-#include "pages.hpp"
 #include "support/golden/golden.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace server::render {
+namespace server::annotations {
+using namespace server::render;
 using namespace ciel;
 namespace {
 
@@ -176,4 +177,4 @@ TEST_P(AnnotationPicture, PickStillFindsTheSurfaceBehindText) {
 }
 
 } // namespace
-} // namespace server::render
+} // namespace server::annotations

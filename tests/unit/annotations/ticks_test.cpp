@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace server::render {
+namespace server::annotations {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -122,4 +122,4 @@ TEST(Units, AreWrittenAsPeopleDo) {
 }
 
 } // namespace
-} // namespace server::render
+} // namespace server::annotations

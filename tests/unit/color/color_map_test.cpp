@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace server::render {
+namespace server::color {
 using namespace ciel;
 namespace {
 
@@ -70,4 +70,4 @@ TEST(ColorMap, UnknownNameIsRefusedWithTheKnownOnes) {
 }
 
 } // namespace
-} // namespace server::render
+} // namespace server::color

@@ -23,8 +23,8 @@ TEST(Pvd, entries_come_sorted_by_time_and_keep_their_order_within_one) {
     EXPECT_EQ(entries[0].time, -0.1);
     EXPECT_EQ(entries[1].file, "b.vtu");
     EXPECT_EQ(entries[1].time, 0);
-    EXPECT_EQ(entries[2].part, "0");
-    EXPECT_EQ(entries[3].part, "tail");
+    EXPECT_EQ(entries[2].piece, "0");
+    EXPECT_EQ(entries[3].piece, "tail");
     EXPECT_EQ(entries[3].file, "d&e.vtu");
 }
 

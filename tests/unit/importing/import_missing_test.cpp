@@ -9,7 +9,8 @@
 #include <fstream>
 #include <gmock/gmock.h>
 
-namespace server::store {
+namespace server::importing {
+using namespace server::store;
 using namespace ciel;
 namespace {
 
@@ -243,4 +244,4 @@ TEST_F(ImportMissing, a_failing_change_leaves_the_old_import) {
 }
 
 } // namespace
-} // namespace server::store
+} // namespace server::importing

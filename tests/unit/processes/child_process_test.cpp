@@ -5,7 +5,7 @@
 #include <csignal>
 #include <gmock/gmock.h>
 
-namespace server::store {
+namespace server::processes {
 using namespace ciel;
 namespace {
 
@@ -105,4 +105,4 @@ TEST(ChildProcess, an_exception_of_the_listener_ends_the_child) {
 }
 
 } // namespace
-} // namespace server::store
+} // namespace server::processes

@@ -3,7 +3,7 @@
 
 #include "unit/render/scenes.hpp"
 
-namespace server::render {
+namespace server::annotations {
 
 inline color::ColorScale scale_of(const std::string& map, const std::array<double, 2>& range) {
     color::ColorScale scale;
@@ -26,8 +26,8 @@ inline annotations::Annotations all_annotations() {
 }
 
 // The camera shows three faces of the box.
-inline Frame annotated_frame(int width, int height) {
-    Frame frame = front_view(width, height);
+inline render::Frame annotated_frame(int width, int height) {
+    render::Frame frame = render::front_view(width, height);
     frame.bounds_min = {-1, -1, -1};
     frame.bounds_max = {3, 1, 1};
     frame.camera = annotations::default_camera({-2, -2, -2}, {4, 2, 2}, static_cast<double>(width) / height);
@@ -35,4 +35,4 @@ inline Frame annotated_frame(int width, int height) {
     return frame;
 }
 
-} // namespace server::render
+} // namespace server::annotations
