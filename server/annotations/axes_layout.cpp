@@ -138,7 +138,8 @@ private:
         return layout_.shortened(whole, layout_.text(), layout_.width() - 2);
     }
 
-    // Best first: outside the numbers, from the middle of the edge to its ends; then beyond the ends of the edge.
+    // Places of the name, the best one first: outside the numbers, from the middle of the edge to its ends; then beyond
+    // the ends of the edge.
     [[nodiscard]] std::vector<Placed> places_of(const std::string& name) {
         double depth = 0;
         for (const Numbered& one : numbers_)

@@ -67,8 +67,8 @@ private:
 // Each of these functions lays out one part of picture.annotations, never over earlier parts. Call them in this order.
 // Parts that do not fit are left out: captions, the last legends (then a note has their number, if there is room), the
 // triad, single numbers and names of axes, parts of lines. No legend begins in the left third of the picture.
-// Legend i has the handle "legend i" around the whole legend. "legend i low" and "legend i high" are around the numbers
-// at its ends if there are two, and "legend i controls" is around the area for controls, if there is one.
+// Handles: "legend i" around the whole legend i; "legend i low" and "legend i high" around the numbers at its ends, if
+// there are two; "legend i controls" around the area for controls, if there is one.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);
 void lay_legends(Layout& layout, const Annotations& annotations);

@@ -1,3 +1,4 @@
+// The frame that shows a scene: what the renderer draws, from which camera and on which background.
 #pragma once
 
 #include "geometry/geometry.hpp"

@@ -14,9 +14,9 @@ struct DefaultScene {        // NOLINT(bugprone-exception-escape): moving a json
 };
 
 // Returns the first scene of a dataset. `name`: name of the dataset in the catalog. Every first scene has an outline.
-// If there are bodies (bodies.hpp), the scene has the bodies, colored by pressure or else by the first scalar that
-// varies, and a slice through the bodies, colored by speed, at the last step whose arrays are written and finite. A
-// mesh with one layer of cells and no bodies gets a slice within the layer, at the same step.
+// If there are bodies (bodies.hpp), the scene shows the last step whose arrays are written and finite. It has the
+// bodies, colored by pressure or else by the first scalar that varies. A slice through the bodies is colored by speed.
+// A mesh with one layer of cells and no bodies gets a slice within the layer, at the same step.
 // Otherwise the scene has an iso-surface of a point scalar that varies, at the first step at which it varies. The
 // surface is colored by another scalar if there is one. The iso-value is halfway between the 5th and 95th percentile,
 // so that it is not the value of a plateau, such as the free stream. If no scalar varies, the scene has the boundary of

@@ -1,3 +1,4 @@
+// The size of a view in pixels.
 #pragma once
 
 #include <cstdint>

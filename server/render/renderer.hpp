@@ -31,9 +31,9 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    // Throws Error if the arrays of a mesh do not fit together, a color map does not exist, the camera is not usable,
-    // there are too many clip planes, the GL cannot draw this size, or the memory does not suffice
-    // (picture_memory.hpp). Propagates exceptions of check_wanted. After an exception, the next draw works as usual.
+    // Throws Error if arrays of a mesh do not fit together, for an unknown color map, an unusable camera, too many clip
+    // planes or a size that the GL cannot draw, and if the memory does not suffice (picture_memory.hpp). Propagates
+    // exceptions of check_wanted. After an exception, the next draw works as usual.
     // `after`: called when the GL has finished a stage, for benchmarks.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
     // Makes no copy of the image, which is valid until the next draw.

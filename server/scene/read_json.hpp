@@ -1,3 +1,4 @@
+// JSON text of clients.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

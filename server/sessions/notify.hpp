@@ -1,3 +1,4 @@
+// JSON-RPC notifications.
 #pragma once
 
 #include "protocol/json.hpp"

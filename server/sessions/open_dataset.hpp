@@ -1,3 +1,4 @@
+// Datasets by the name that a client gives.
 #pragma once
 
 #include "store/catalog.hpp"

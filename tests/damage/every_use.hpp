@@ -18,7 +18,7 @@ struct Told {
 
 class EveryUse {
 public:
-    // The catalog of `server` contains `dataset`; `cells` is the name of its cell array.
+    // The catalog of `server` contains `dataset`; `cells` is the name of one of its arrays on cells.
     EveryUse(engine::Server& server, std::string dataset, std::string cells, Extraction extraction);
 
     // Opens the dataset and keeps it open.

@@ -6,7 +6,7 @@
 
 namespace server::render {
 
-// An attribute without an array has one value for the whole mesh, so one program draws meshes with and without it.
+// An attribute without an array has one value for the whole mesh, so one program draws meshes with and without arrays.
 enum Attribute : GLuint {
     attribute_position = 0,
     attribute_normal = 1, // zero vector: flat shading by the triangle's plane

@@ -43,8 +43,8 @@ struct Marker {
 };
 
 // Throws Error that names `file` and the path of the wrong value in the document. Also throws Error when times do not
-// increase, or when a step is on a mesh that does not exist. If an array has no `chunk`, its chunk number is the entry
-// of the step's mesh in the table's `chunks`, plus the number of earlier steps on this mesh in the marker.
+// increase, or when a step is on a mesh that does not exist. If an array has no `chunk`, its chunk number is a + b. a
+// is the entry of the step's mesh in the table's `chunks`. b is the number of earlier steps on this mesh in the marker.
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 

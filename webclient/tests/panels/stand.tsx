@@ -72,8 +72,8 @@ const READS = new Set(["layers.middleOf", "newGesture", "histogram", "page.pictu
 const realCommands = (model: Model): Commands => new Commands(model, NONE, NONE, NONE);
 
 /**
- * A fake of all commands. Each call is recorded with the command's path; `answers` has the results; those it lacks are added. Throws for a name
- * that `real` does not have.
+ * A fake of all commands. Each call is recorded with the command's path. `answers` overrides the default results. Throws
+ * for a name that `real` does not have.
  */
 function recorder(real: object, calls: Call[], answers: Answers, path: readonly string[] = []): unknown {
   return new Proxy(real, {
