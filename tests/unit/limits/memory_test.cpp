@@ -1,6 +1,7 @@
 #include "limits/errors.hpp"
 #include "limits/memory.hpp"
 
+#include <atomic>
 #include <gmock/gmock.h>
 #include <optional>
 #include <thread>
@@ -11,9 +12,9 @@ namespace {
 
 class memory : public testing::Test {
 protected:
-    std::uint64_t of_datasets = 0;
-    int released = 0;
-    Memory all{1000, [this] { return of_datasets; },
+    std::atomic<std::uint64_t> of_datasets = 0;
+    std::atomic<int> released = 0;
+    Memory all{1000, [this] { return of_datasets.load(); },
                [this] {
                    ++released;
                    of_datasets = 0;
