@@ -14,6 +14,7 @@
 #include "importing/without_folder.hpp"
 #include "logging/log.hpp"
 #include "render/renderer.hpp"
+#include "store/late_files.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -155,6 +156,7 @@ int serve(ServeOptions& options) {
     server_options.allow_append = options.allow_append;
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     server_options.late_folder = late_folder_in(options.import_folder);
+    store::remove_forgotten_late_files(server_options.late_folder);
     server_options.read_late_step = [folder = server_options.late_folder](const store::Dataset& dataset,
                                                                           std::size_t step,
                                                                           const std::atomic<bool>& cancel) {

@@ -1,6 +1,7 @@
 #include "store/late_files.hpp"
 
 #include "store/files/files.hpp"
+#include "store/format/attributes.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
 
@@ -13,9 +14,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* dataset_file = "dataset"; // beside late files that are not in their dataset: its path
+
 bool is_there(const fs::path& file) {
     std::error_code error;
     return fs::exists(file, error);
+}
+
+// `late`: a directory that is named by the id of a dataset.
+bool is_forgotten(const fs::path& late) {
+    const fs::path name = late / dataset_file;
+    if (!is_there(name)) return false; // an earlier version wrote the files
+    const fs::path dataset = read_text(name, layout::document_bytes);
+    const fs::path attributes = dataset / layout::attributes_document;
+    if (!is_there(attributes)) return !is_there(dataset) && is_there(dataset.parent_path());
+    return parse_root_attributes(read_text(attributes, layout::document_bytes), attributes).id != late.filename();
 }
 
 } // namespace
@@ -85,6 +98,23 @@ fs::path LateFiles::writable() const {
         refuse(dataset_, "cannot be written to, and there is no folder for values that are read later; make the "
                          "directory writable");
     return is_writable ? dataset_ : elsewhere_;
+}
+
+void LateFiles::name_dataset() const {
+    replace_file(elsewhere_ / dataset_file, bytes_of(fs::absolute(dataset_).lexically_normal().string()));
+}
+
+void remove_forgotten_late_files(const fs::path& folder) noexcept {
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error)) {
+        std::error_code ignored;
+        try {
+            if (is_forgotten(entry->path())) fs::remove_all(entry->path(), ignored);
+        } catch (const std::exception&) { // the dataset or the file is damaged
+            continue;
+        }
+    }
 }
 
 } // namespace server::store

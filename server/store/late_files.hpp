@@ -27,6 +27,8 @@ public:
     // Returns the directory in which this process writes late files. May not exist yet.
     [[nodiscard]] std::filesystem::path writable() const;
     [[nodiscard]] const std::filesystem::path& elsewhere() const { return elsewhere_; } // empty if there is no folder
+    // Writes the path of the dataset into elsewhere(), for remove_forgotten_late_files(). Throws Error on failure.
+    void name_dataset() const;
 
 private:
     [[nodiscard]] std::optional<MarkedArray> complete(const ArrayLayout& array, MarkedArray entry) const;
@@ -34,5 +36,9 @@ private:
 
     std::filesystem::path dataset_, elsewhere_;
 };
+
+// Removes the late files of datasets that were removed or replaced. `folder`: see LateFiles. Files of datasets whose
+// directory cannot be reached stay. Ignores errors: such files only take space.
+void remove_forgotten_late_files(const std::filesystem::path& folder) noexcept;
 
 } // namespace server::store

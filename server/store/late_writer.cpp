@@ -47,7 +47,9 @@ LateWriter::LateWriter(std::shared_ptr<const Dataset> dataset, const fs::path& f
                        const std::function<void()>& wait, Where where)
     : dataset_(std::move(dataset)), files_(dataset_->directory(), folder, dataset_->info().id),
       directory_(where == Where::elsewhere ? files_.elsewhere() : files_.writable()),
-      lock_(lock_late_files(directory_, wait)) {}
+      lock_(lock_late_files(directory_, wait)) {
+    if (directory_ != dataset_->directory()) files_.name_dataset();
+}
 
 bool LateWriter::lacks(std::size_t step) const { return !dataset_->late_chunks(step).empty(); }
 

@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import threading
 
@@ -15,7 +16,7 @@ import requests
 import vtk
 from import_support import Dataset
 from openfoam_files import N, write_case, write_decomposed
-from program import ciel
+from program import CIEL_IMPORT, ciel
 from serve_process import PATIENCE, Server, client, until
 from vtk_files import CUBE, add_array, ring, structured, unstructured, with_fields, write
 
@@ -177,6 +178,26 @@ def test_a_source_that_changed_or_is_gone_is_a_sentence(source, tmp_path):
     gone = run("import", tmp_path / "a.ciel", "--step", "2", cache=tmp_path)
     assert gone.returncode == 1 and "is not there any more" in gone.stderr
     assert written(tmp_path / "a.ciel") == [0, 1, 3, 4, 5]
+
+
+def test_a_file_that_changes_while_it_is_read_is_told(tmp_path):
+    """The process is stopped while it reads step 1. If it was too fast, the test begins again."""
+    source = write_series(tmp_path / "source", [with_fields(structured(48), shift=float(step)) for step in range(3)])
+    changed_file = source.parent / "1.vts"
+    for attempt in range(5):
+        dataset = tmp_path / f"{attempt}.ciel"
+        imported(source, dataset, tmp_path)
+        with subprocess.Popen([CIEL_IMPORT, "--step=1", "--", dataset], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as reader:
+            next(line for line in reader.stdout if "reading, step 1" in line)
+            reader.send_signal(signal.SIGSTOP)
+            os.utime(changed_file, (changed_file.stat().st_mtime + 5,) * 2)
+            reader.send_signal(signal.SIGCONT)
+            said, problem = reader.communicate(timeout=PATIENCE)
+        if not re.search("^step 1$", said, re.MULTILINE):
+            break
+    assert reader.returncode == 1 and "has changed at time 1.0 since it was imported" in problem
+    assert written(dataset) == [0, 2]
 
 
 def test_another_file_for_the_same_time_is_a_change(source, tmp_path):

@@ -145,6 +145,36 @@ TEST_F(LateArrays, OfADatasetThatCannotBeWrittenToAreElsewhere) {
     EXPECT_TRUE(open()->steps()[1].arrays.at("p").late) << "without the folder";
 }
 
+TEST_F(LateArrays, OfADatasetThatWasReplacedOrRemovedAreForgotten) {
+    const auto write = [&](const fs::path& dataset) {
+        LateWriter writer(Dataset::open(dataset, LackingRanges::computed, std::nullopt, elsewhere), elsewhere, no_wait,
+                          LateWriter::Where::elsewhere);
+        fill(writer, 1);
+        return writer.directory();
+    };
+    const fs::path away = scratch / "disk/away.ciel", gone = scratch / "gone.ciel";
+    fs::create_directories(away.parent_path());
+    fs::copy(directory, away, fs::copy_options::recursive);
+    fs::copy(directory, gone, fs::copy_options::recursive);
+    const fs::path kept = write(directory);
+    const auto are_there = [&] {
+        remove_forgotten_late_files(elsewhere);
+        return fs::exists(kept / "late");
+    };
+    EXPECT_TRUE(are_there());
+    test::overwrite_file(directory / ".zattrs", "{");
+    EXPECT_TRUE(are_there()) << "a damaged dataset may be mended";
+    fs::remove_all(directory);
+    test::write_box(directory, test::box(2, 2, 2)); // has another id
+    EXPECT_FALSE(are_there());
+    EXPECT_EQ(write(away), kept) << "the copies have one id";
+    fs::remove_all(away.parent_path());
+    EXPECT_TRUE(are_there()) << "its disk may come back";
+    EXPECT_EQ(write(gone), kept);
+    fs::remove_all(gone);
+    EXPECT_FALSE(are_there());
+}
+
 TEST_F(LateArrays, AreStillLateAfterAKillBetweenTheirFiles) {
     {
         LateWriter writer(open(), {}, no_wait);
