@@ -31,7 +31,7 @@ export default tseslint.config(
     },
   },
   {
-    files: ["**/*.test.ts"],
+    files: ["**/*.test.{ts,tsx}"],
     rules: {
       "max-lines-per-function": "off", // a describe block is a list
       "@typescript-eslint/no-floating-promises": [
