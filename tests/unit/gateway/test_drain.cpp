@@ -12,7 +12,7 @@ namespace {
 constexpr unsigned never = 100'000;
 // Half of the time is for the picture to finish, the rest to abandon it, which takes seconds on a loaded machine.
 #ifdef __SANITIZE_THREAD__
-constexpr unsigned enough_to_abandon = 60; // ThreadSanitizer takes several times as long for both
+constexpr unsigned enough_to_abandon = 36; // ThreadSanitizer takes longer for both
 #else
 constexpr unsigned enough_to_abandon = 20;
 #endif
