@@ -6,7 +6,6 @@
 #include <array>
 #include <cstdio>
 #include <iterator>
-#include <mutex>
 #include <sstream>
 #include <vector>
 
@@ -110,10 +109,6 @@ bool has_word(const char* words, std::string_view word) {
 
 std::unique_ptr<GlContext> make_egl_context(const Egl& egl, EGLDisplay display, std::string description) {
     if (display == EGL_NO_DISPLAY) throw ciel::Error("EGL returned no display (" + egl.last_error() + ")");
-    // Two threads share a display. The first one writes its extensions while it initializes the display, and a query
-    // takes no lock.
-    static std::mutex mutex;
-    const std::scoped_lock lock(mutex);
     EGLint major = 0;
     EGLint minor = 0;
     if (egl.Initialize(display, &major, &minor) != EGL_TRUE)
