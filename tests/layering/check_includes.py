@@ -19,7 +19,7 @@ OUTSIDE = {
     "ft2build.h": {"fonts"},
     "fontconfig/": {"fonts"},
     "tbb/": {"ciel"},
-    "thread": {"ciel", "engine", "gateway", "importing", "limits", "render", "store"},  # who starts threads
+    "thread": {"ciel", "engine", "gateway", "importing", "limits", "render", "store"},  # who starts threads, or sleeps
     "voro++": {"demo"},
     "CLI/": {"app", "import"},
     "spdlog/": {"logging", "gateway", "app"},

@@ -23,7 +23,7 @@ using ReadLateStep =
     std::function<std::string(const store::Dataset& dataset, std::size_t step, const std::atomic<bool>& cancel)>;
 
 // Thread-safe. Reads one step at a time for each dataset: first the step that was asked for last, then the steps that
-// follow it in time. A step that is asked for cancels the reading of a step that nobody asked for.
+// follow it in time, ahead of their use. Such reading ahead is cancelled when another step is asked for.
 class LateStepQueue {
 public:
     // tell(directory of the dataset): called on the threads of the queue when a step that was asked for has been read
