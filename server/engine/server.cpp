@@ -241,9 +241,10 @@ frames::TestPictureResult Server::test_picture_by_now() {
     }
     state.test_picture_known.wait_until(lock, state.asked_since + test_picture_patience,
                                         [&] { return !state.test_picture_asked; });
-    if (state.test_picture_asked && Clock::now() - state.asked_since > state.options.hang_after)
-        return {.problem = "a drawing thread has not answered for " + std::to_string(state.options.hang_after.count()) +
-                           " s; restart the server"};
+    const auto hang_seconds = state.options.limits.hang_seconds;
+    if (state.test_picture_asked && Clock::now() - state.asked_since > std::chrono::seconds(hang_seconds))
+        return {.problem =
+                    "a drawing thread has not answered for " + std::to_string(hang_seconds) + " s; restart the server"};
     return state.last_test_picture.value_or(
         frames::TestPictureResult{.problem = "the server has not drawn its test picture yet; ask again in a second"});
 }

@@ -31,7 +31,6 @@ struct ServerOptions {
     bool allow_append = false;                         // clients may append steps if they have the token
     ReadLateStep read_late_step;                       // empty: late steps are not read
     std::filesystem::path late_folder;                 // of the files of late arrays whose dataset cannot be written to
-    std::chrono::seconds hang_after{60}; // longer than any frame; a worker that draws no test picture for longer hangs
     limits::Limits limits;
 };
 

@@ -64,7 +64,8 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
         if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
         check();
     }
-    auto first = sessions::accept_scene(services_, document(), 1); // without the lock, because this may open a dataset
+    // Without the lock, because this may open a dataset.
+    auto first = sessions::accept_scene(services_, document(), 1, by.request);
     const std::scoped_lock lock(mutex_);
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();

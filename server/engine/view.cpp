@@ -173,6 +173,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
                            {{"session", logging::short_id(session_->id())},
                             {"view", id_},
                             {"kind", request.still ? "still" : "interactive"},
+                            {"request", request.version->request},
                             {"user", connection_->user},
                             {"remote", connection_->remote},
                             {"ms", times.wait + made_ms},
@@ -239,6 +240,7 @@ void View::fail(const FrameRequest& request, const std::string& sentence) {
                            {{"session", logging::short_id(session_->id())},
                             {"view", id_},
                             {"reason", sentence},
+                            {"request", request.version->request},
                             {"user", connection_->user},
                             {"remote", connection_->remote},
                             {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
@@ -248,7 +250,8 @@ void View::fail(const FrameRequest& request, const std::string& sentence) {
     content_.clear();
     finish();
     if (closed_) return;
-    const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence};
+    const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence,
+                                    request.version->request};
     connection_->send_text(sessions::notification_text(note));
 }
 

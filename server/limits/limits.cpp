@@ -53,6 +53,8 @@ constexpr auto rows = std::to_array<LimitRow>({
      million},
     {"slow_calls_of_connection", &Limits::slow_calls_of_connection, Unit::count,
      "slow calls that wait, of one connection", million},
+    {"late_step_seconds", &Limits::late_step_seconds, Unit::seconds,
+     "time that a slow call waits for a step that is read from its source", most_seconds},
     {"field_cache_bytes", &Limits::field_cache_bytes, Unit::memory, "size of the cached fields of one dataset",
      most_bytes},
     {"dataset_memory_bytes", &Limits::dataset_memory_bytes, Unit::memory,
@@ -84,6 +86,8 @@ constexpr auto rows = std::to_array<LimitRow>({
      most_bytes, 2 << 20},
     {"websocket_idle_seconds", &Limits::websocket_idle_seconds, Unit::seconds,
      "time without a message after which a WebSocket is closed; pings are sent at half of the time", most_seconds},
+    {"hang_seconds", &Limits::hang_seconds, Unit::seconds,
+     "time without an answer after which a drawing thread counts as hanging, and /readyz fails", most_seconds},
     {"drain_seconds", &Limits::drain_seconds, Unit::seconds, "time from SIGTERM to the exit", most_seconds},
 });
 static_assert(rows.size() * sizeof(std::uint64_t) == sizeof(Limits), "every limit has a row");

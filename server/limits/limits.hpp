@@ -42,6 +42,7 @@ struct Limits {
     std::uint64_t slow_calls = 2;
     std::uint64_t slow_calls_waiting = 64;
     std::uint64_t slow_calls_of_connection = 16;
+    std::uint64_t late_step_seconds = 60;
     std::uint64_t field_cache_bytes = memory_share(20);
     std::uint64_t dataset_memory_bytes = memory_share(40);
     std::uint64_t dataset_idle_seconds = 600;
@@ -58,6 +59,7 @@ struct Limits {
     std::uint64_t waiting_call_bytes = 4 << 20;
     std::uint64_t unsent_bytes = 32 << 20;
     std::uint64_t websocket_idle_seconds = 60;
+    std::uint64_t hang_seconds = 60; // longer than any frame takes
     std::uint64_t drain_seconds = 1;
 };
 

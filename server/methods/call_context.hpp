@@ -27,6 +27,7 @@ struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does 
     void begin();                              // starts a call: sets its id and time
     [[nodiscard]] double milliseconds() const; // since begin()
     [[nodiscard]] engine::Caller caller() const { return {connection, request_id}; }
+    [[nodiscard]] sessions::Author author() const { return {connection.id, request_id}; }
 
     [[nodiscard]] std::shared_ptr<engine::OpenSession> session(const std::string& id) const {
         return server.sessions().find(id);

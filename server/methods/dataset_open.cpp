@@ -7,7 +7,7 @@ protocol::DatasetOpenResult dataset_open(CallContext& context, const protocol::D
     const auto session = context.session(params.session);
     const auto loaded = context.dataset(params.dataset);
     const auto scene = geometry::default_scene(*loaded, params.dataset).document;
-    return state_of(*session, session->replace(scene, context.connection.id));
+    return state_of(*session, session->replace(scene, context.author()));
 }
 
 } // namespace server::methods

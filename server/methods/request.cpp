@@ -46,11 +46,11 @@ const Method* find_method(const std::string& name) {
 }
 
 json call_slow(CallContext& context, const Method& method, const json& params) {
-    constexpr double longest_wait_ms = 60'000;
     try {
         return method.call(context, params);
     } catch (const store::NotYetRead& late) {
-        if (late.has_failed || context.milliseconds() > longest_wait_ms) throw;
+        const double longest_ms = 1000.0 * static_cast<double>(context.server.limits().late_step_seconds);
+        if (late.has_failed || context.milliseconds() > longest_ms) throw;
         throw AwaitsStep();
     }
 }

@@ -7,7 +7,7 @@ SceneSource::SceneSource(const CallContext& context, const std::optional<std::st
     : context_(context), surfaces_(context.server.memory(), limits::Held::surfaces) {
     if (session) session_ = context.session(*session);
     if (scene)
-        version_ = sessions::accept_scene(context.server.services(), *scene, 0);
+        version_ = sessions::accept_scene(context.server.services(), *scene, 0, context.request_id);
     else if (session_)
         version_ = session_->status().version;
     else

@@ -4,7 +4,7 @@ namespace server::methods {
 
 protocol::SceneUndoResult scene_undo(CallContext& context, const protocol::SceneUndoParams& params) {
     const auto session = context.session(params.session);
-    return state_of(*session, session->undo(context.connection.id));
+    return state_of(*session, session->undo(context.author()));
 }
 
 } // namespace server::methods

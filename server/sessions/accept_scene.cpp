@@ -29,7 +29,7 @@ void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
 } // namespace
 
 std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services, nlohmann::json document,
-                                                 std::uint64_t revision) {
+                                                 std::uint64_t revision, std::string request) {
     // Null and absent mean the same in a scene, and a merge patch (RFC 7396) cannot set a member to null.
     document = scene::merge_patch(nlohmann::json::object(), document);
     check_size(document, services.limits);
@@ -37,9 +37,9 @@ std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services
     check_limits(scene, services.limits);
     auto loaded = open_dataset(services.catalog, scene.dataset);
     const std::size_t bytes = 2 * scene::heap_bytes(document); // the parsed scene has about the same size
-    return std::make_shared<const SceneVersion>(
-        SceneVersion{revision, std::make_shared<const nlohmann::json>(std::move(document)),
-                     scene::CheckedScene(std::move(scene), std::move(loaded)), bytes, Clock::now()});
+    return std::make_shared<const SceneVersion>(SceneVersion{
+        revision, std::make_shared<const nlohmann::json>(std::move(document)),
+        scene::CheckedScene(std::move(scene), std::move(loaded)), bytes, Clock::now(), std::move(request)});
 }
 
 } // namespace server::sessions

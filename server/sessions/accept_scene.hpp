@@ -21,12 +21,13 @@ struct SceneVersion {
     scene::CheckedScene checked; // the parsed document with its dataset
     std::size_t bytes = 0;       // estimated heap bytes of the document and the parsed scene
     Clock::time_point changed;
+    std::string request; // id of the request that made this version, for the log and for errors
 
     [[nodiscard]] const scene::Scene& scene() const { return checked.scene(); }
 };
 
 // Opens the document's dataset, and checks the names against it. Throws scene::Invalid, NotFound, LimitReached.
 [[nodiscard]] std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services, nlohmann::json document,
-                                                               std::uint64_t revision);
+                                                               std::uint64_t revision, std::string request);
 
 } // namespace server::sessions

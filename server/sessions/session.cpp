@@ -69,12 +69,12 @@ std::shared_ptr<const SceneVersion> Session::newest() const {
     return version_;
 }
 
-SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author) {
+SessionStatus Session::change(std::shared_ptr<const SceneVersion> next, History after, const Author& author) {
     documents_.change(next->bytes + after.bytes());
     version_ = std::move(next);
     history_ = std::move(after);
     used_ = Clock::now();
-    tell_others(author);
+    tell_others(author.connection);
     for (const auto& [id, viewer] : viewers_) viewer.offer(version_);
     return current();
 }
@@ -88,35 +88,36 @@ void Session::tell(const std::string& notification) const {
     send(services_.connections, subscribers_, 0, [&] { return notification; });
 }
 
-SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author) {
+SessionStatus Session::patch(const nlohmann::json& merge_patch, const std::string& gesture, const Author& author) {
     const std::scoped_lock lock(mutex_);
-    auto next = accept_scene(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1);
+    auto next = accept_scene(services_, scene::merge_patch(*version_->document, merge_patch), version_->revision + 1,
+                             author.request);
     if (*next->document == *version_->document) return current();
     History after = history_;
     after.record(version_->document, gesture);
     return change(std::move(next), std::move(after), author);
 }
 
-SessionStatus Session::replace(nlohmann::json document, std::uint64_t author) {
+SessionStatus Session::replace(nlohmann::json document, const Author& author) {
     const std::scoped_lock lock(mutex_);
-    auto next = accept_scene(services_, std::move(document), version_->revision + 1);
+    auto next = accept_scene(services_, std::move(document), version_->revision + 1, author.request);
     if (*next->document == *version_->document) return current();
     History after = history_;
     after.record(version_->document, "");
     return change(std::move(next), std::move(after), author);
 }
 
-SessionStatus Session::undo(std::uint64_t author) { return move_in_history(&History::undo, author); }
-SessionStatus Session::redo(std::uint64_t author) { return move_in_history(&History::redo, author); }
+SessionStatus Session::undo(const Author& author) { return move_in_history(&History::undo, author); }
+SessionStatus Session::redo(const Author& author) { return move_in_history(&History::redo, author); }
 
-SessionStatus Session::move_in_history(Document (History::*move)(Document), std::uint64_t author) {
+SessionStatus Session::move_in_history(Document (History::*move)(Document), const Author& author) {
     const std::scoped_lock lock(mutex_);
     History after = history_; // a copy, so that history_ stays unchanged if no step can be shown
     std::exception_ptr refused;
     Document document = version_->document;
     while ((document = (after.*move)(document))) {
         try {
-            auto next = accept_scene(services_, *document, version_->revision + 1);
+            auto next = accept_scene(services_, *document, version_->revision + 1, author.request);
             return change(std::move(next), after, author);
         } catch (const std::exception&) { // the step's dataset was removed or has changed; tries the next step
             if (!refused) refused = std::current_exception();
@@ -170,7 +171,7 @@ void Session::close() {
 void Session::dataset_changed() {
     const std::scoped_lock lock(mutex_);
     try {
-        version_ = accept_scene(services_, *version_->document, version_->revision);
+        version_ = accept_scene(services_, *version_->document, version_->revision, version_->request);
     } catch (const std::exception&) {
         // The session keeps its version, whose data is still mapped and can be shown. The next patch reports the error.
     }

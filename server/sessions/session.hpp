@@ -35,6 +35,11 @@ struct Viewer {
     std::function<void()> close;                                    // closes the view; called last
 };
 
+struct Author {
+    std::uint64_t connection = 0; // the connection that made the change, which gets no notification
+    std::string request;          // id of the request that made the change
+};
+
 // Thread-safe. A change makes a new revision. It is sent to all subscribers but its author, and offered to all viewers.
 class Session {
 public:
@@ -46,12 +51,11 @@ public:
     [[nodiscard]] Clock::time_point opened() const { return opened_; }
     [[nodiscard]] SessionStatus status() const; // also marks the session as used
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
-    // `author`: connection that made the change, which gets no notification. They throw LimitReached and the exceptions
-    // of accept_scene(); the session is then unchanged.
-    SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, std::uint64_t author);
-    SessionStatus replace(nlohmann::json document, std::uint64_t author);
-    SessionStatus undo(std::uint64_t author); // returns the current status if there is nothing to undo
-    SessionStatus redo(std::uint64_t author);
+    // They throw LimitReached and the exceptions of accept_scene(); the session is then unchanged.
+    SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, const Author& author);
+    SessionStatus replace(nlohmann::json document, const Author& author);
+    SessionStatus undo(const Author& author); // returns the current status if there is nothing to undo
+    SessionStatus redo(const Author& author);
 
     void tell(const std::string& notification) const; // sends the notification to all subscribed connections
     void subscribe(std::uint64_t connection);
@@ -67,9 +71,9 @@ public:
     [[nodiscard]] std::size_t viewer_count() const;
 
 private:
-    SessionStatus move_in_history(Document (History::*move)(Document), std::uint64_t author);
+    SessionStatus move_in_history(Document (History::*move)(Document), const Author& author);
     // change, tell_others and current require mutex_ to be held. If change throws LimitReached, nothing has changed.
-    SessionStatus change(std::shared_ptr<const SceneVersion> next, History after, std::uint64_t author);
+    SessionStatus change(std::shared_ptr<const SceneVersion> next, History after, const Author& author);
     void tell_others(std::uint64_t author) const;
     [[nodiscard]] SessionStatus current() const;
 

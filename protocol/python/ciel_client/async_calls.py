@@ -321,7 +321,7 @@ class AsyncCalls:
 
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
-        of: mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh. (default 'mesh')
+        of: mesh: the box of the mesh. Clip planes reduce it. Thresholds reduce it if all visible layers have one. Iso-surfaces and slices do not reduce it. If nothing is left, the result is the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw. If a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count. Otherwise a volume counts as the whole box. If only outlines are drawn, the result is that of mesh. (default 'mesh')
         """
         return await self.call("scene.bounds", session=session, scene=scene, of=of)
 

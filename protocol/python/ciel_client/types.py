@@ -291,7 +291,7 @@ class SceneBoundsParams(TypedDict):
 
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
-    of: NotRequired[Literal["mesh", "drawn"]]  # mesh: the box of the mesh, reduced by clip planes and, if all visible layers have one, by thresholds; iso-surfaces and slices do not reduce it; if nothing is left, the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw; if a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count; otherwise a volume counts as the whole box; if only outlines are drawn, as mesh. (default 'mesh')
+    of: NotRequired[Literal["mesh", "drawn"]]  # mesh: the box of the mesh. Clip planes reduce it. Thresholds reduce it if all visible layers have one. Iso-surfaces and slices do not reduce it. If nothing is left, the result is the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw. If a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count. Otherwise a volume counts as the whole box. If only outlines are drawn, the result is that of mesh. (default 'mesh')
 
 
 class SceneBoundsResult(TypedDict):
@@ -416,6 +416,7 @@ class ViewFailedParams(TypedDict):
     view: int  # Number of the view, as view.open returned it. (at least 1)
     revision: int  # Revision of the scene that the frame would have shown.
     message: str  # Sentence for the user.
+    request: str  # Id of the call that made the scene. The failure has the same id in the server's log.
 
 
 class ViewLackingParams(TypedDict):

@@ -99,8 +99,14 @@ TEST_F(Logged, a_frame_that_fails_has_a_line) {
     const std::string session = client.call("session.open", {{"dataset", "box"}})["session"];
     client.call("view.open", {{"session", session}, {"width", 64}, {"height", 64}});
     const json told = client.next_text();
-    const auto lines = of(end(), "frame failed");
+    client.call("scene.patch", {{"session", session}, {"patch", {{"background", "#ffffff"}}}});
+    const json told_again = client.next_text();
+    const auto events = end();
+    const auto lines = of(events, "frame failed"), opened = of(events, "session opened");
     ASSERT_GE(lines.size(), 1U) << whole;
+    EXPECT_EQ(lines[0]["request"], opened[0]["request"]) << "the request that made the scene";
+    EXPECT_EQ(told["params"]["request"], opened[0]["request"]);
+    EXPECT_NE(told_again["params"]["request"], told["params"]["request"]);
     EXPECT_EQ(lines[0]["reason"], told["params"]["message"]);
     EXPECT_EQ(lines[0]["session"], session.substr(0, 8));
 }
@@ -142,6 +148,7 @@ TEST_F(Logged, a_frame_that_takes_long_is_called_slow) {
     ASSERT_GE(lines.size(), 1U) << whole;
     EXPECT_EQ(lines.back()["session"], session.substr(0, 8));
     EXPECT_EQ(lines.back()["view"], view);
+    EXPECT_FALSE(lines.back()["request"].get<std::string>().empty());
     EXPECT_GE(lines.back()["ms"].get<double>(), 1000);
 }
 
@@ -160,9 +167,9 @@ TEST_F(TestPicture, is_told_from_the_last_result_while_the_worker_draws_for_othe
 }
 
 TEST_F(TestPicture, fails_if_a_worker_hangs) {
-    engine::ServerOptions impatient = options();
-    impatient.hang_after = std::chrono::seconds(1);
-    engine::Server server(std::move(impatient));
+    limits::Limits impatient;
+    impatient.hang_seconds = 1;
+    engine::Server server(options(impatient));
     ASSERT_TRUE(server.draw_test_picture().passed);
     std::promise<void> gate;
     server.frame_workers().post([opened = gate.get_future().share()](engine::Worker&) { opened.wait(); });
