@@ -35,7 +35,7 @@ protected:
     static json answer_of(engine::Server& server) {
         Client client(server, false);
         const json scene = {
-            {"dataset", "late"}, {"step", 1}, {"layers", {{"a", {{"type", "iso"}, {"array", "p"}, {"values", {5}}}}}}};
+            {"dataset", "late"}, {"time", 1}, {"layers", {{"a", {{"type", "iso"}, {"array", "p"}, {"values", {5}}}}}}};
         return json::parse(client.post(Client::request_of("scene.bounds", {{"scene", scene}, {"of", "drawn"}})).get());
     }
 

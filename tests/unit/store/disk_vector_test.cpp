@@ -11,8 +11,8 @@ namespace server::store {
 namespace {
 
 constexpr std::size_t large = std::size_t{32} << 20;
-#ifdef __SANITIZE_THREAD__
-constexpr bool has_shadow = true; // each byte that is written takes several bytes of ordinary memory
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool has_shadow = true; // the sanitizer keeps ordinary memory for each byte that is written
 #else
 constexpr bool has_shadow = false;
 #endif
@@ -27,7 +27,7 @@ std::size_t own_memory() {
 
 TEST(DiskVector, LargeBuffersAreNoMemoryOfTheProcess) {
     const ciel::test::Folder folder;
-    if (has_shadow) GTEST_SKIP() << "ThreadSanitizer keeps memory for each byte that is written";
+    if (has_shadow) GTEST_SKIP() << "a sanitizer keeps memory for each byte that is written";
     if (is_in_memory(folder.path())) GTEST_SKIP() << "the folder of temporary files is memory";
     const std::size_t before = own_memory();
     DiskVector<std::uint32_t> numbers(large / 4, 7, DiskAllocator<std::uint32_t>(folder.path()));
