@@ -20,6 +20,17 @@ export default tseslint.config(
     plugins: { page: { rules: { "folder-order": folderOrder } } },
     rules: {
       "page/folder-order": "error",
+      "no-restricted-imports": [
+        "error",
+        {
+          paths: ["@preact/signals", "@preact/signals-core"].map((name) => ({
+            name,
+            importNames: ["effect", "useSignalEffect"],
+            message:
+              "Only panels react to signals, by rendering. Other code is called where the scene changes (Server.sceneChanged).",
+          })),
+        },
+      ],
       // The rule on folders does not see these forms of an import.
       "no-restricted-syntax": [
         "error",

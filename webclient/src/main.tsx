@@ -30,6 +30,7 @@ const server: Server = new Server(model, new CanvasSize(model.canvasSize), tab, 
   frames: () => view.presenter,
   clearPicture: () => view.clear(),
   stopPlaying: () => commands.time.stop(),
+  sceneChanged: () => links.writeSoon(),
 });
 const view: View = new View(model, server, (header, bytes) => {
   server.presented(header, bytes);

@@ -1,5 +1,4 @@
 // Writes the scene into the page's address, and opens the scene of a link that the user follows.
-import { effect } from "@preact/signals";
 import type { Scene } from "../generated/protocol";
 import { decodeScene, decodeSession, encodeScene, encodeSession } from "../model/link";
 import { equal, type Json } from "../model/merge_patch";
@@ -22,9 +21,6 @@ export class Links {
   async start(): Promise<void> {
     this.first = await this.decoded();
     window.addEventListener("hashchange", () => void this.follow());
-    effect(() => {
-      if (this.model.scene.value !== null) this.writeSoon();
-    });
   }
 
   async address(): Promise<string> {
@@ -54,7 +50,8 @@ export class Links {
     else await session.begin(scene);
   }
 
-  private writeSoon(): void {
+  /** Writes the scene into the address when it has not changed for a while. */
+  writeSoon(): void {
     if (this.timer !== null) clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.write(), PAUSE_MS);
   }

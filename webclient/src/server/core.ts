@@ -24,6 +24,8 @@ export interface PageCallbacks {
   frames(): FrameReceiver | null;
   clearPicture(): void;
   stopPlaying(): void;
+  /** Called when the scene has changed. It is not null. */
+  sceneChanged(): void;
 }
 
 export interface Core {

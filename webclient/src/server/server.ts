@@ -148,6 +148,7 @@ export class Server implements Core {
     const scene = model.scene.peek();
     update(model, forgottenWith({ scene: before, upcoming: model.upcoming.peek() }, scene));
     this.streams.changed(before, scene);
+    if (scene !== before && scene !== null) this.page.sceneChanged();
     if (before?.dataset !== scene?.dataset) void describeDataset(this);
     void this.seenFrom.reconsider();
   }
