@@ -73,6 +73,12 @@ async function reset(page: Page, { viewport, colorScheme }: BrowserContextOption
   await page.emulateMedia({ colorScheme: colorScheme ?? null });
 }
 
+/**
+ * For how many milliseconds a test waits for the page. Transparent polygons take seconds a frame in software, half a
+ * minute on a loaded machine, and the page answers nothing while it draws one.
+ */
+const patience = 120_000;
+
 export class Client {
   readonly problems: string[] = [];
   readonly patches: { patch: Record<string, unknown>; gesture: string }[] = [];
@@ -85,6 +91,7 @@ export class Client {
 
   private constructor(page: Page, free: Left[], reusable: boolean) {
     [this.page, this.free, this.reusable] = [page, free, reusable];
+    page.setDefaultTimeout(patience);
     page.on("pageerror", (error) => this.problems.push(error.message));
     page.on("console", (message) => {
       if (message.type() === "error" && !/WebSocket|ERR_/.test(message.text())) this.problems.push(message.text());
@@ -163,7 +170,7 @@ export class Client {
    * polygons. The page first draws two frames, so that it has sent what an action before this call changes.
    */
   async settled(stream = "image"): Promise<void> {
-    const deadline = Date.now() + 60_000;
+    const deadline = Date.now() + patience;
     await this.page.evaluate(
       () => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(() => drawn(undefined)))),
     );
@@ -196,7 +203,7 @@ export class Client {
 
   /** Waits until the page has sent `count` patches. It may have to ask the server before. */
   async patched(count = 1): Promise<void> {
-    const deadline = Date.now() + 60_000;
+    const deadline = Date.now() + patience;
     while (this.patches.length < count) {
       if (Date.now() > deadline) throw new Error(`${this.patches.length} of ${count} patches were sent`);
       await this.page.waitForTimeout(30);
@@ -205,7 +212,7 @@ export class Client {
 
   /** Performs an action and waits until the server has accepted the resulting scene. */
   async taken(act: () => Promise<unknown>): Promise<void> {
-    const deadline = Date.now() + 60_000;
+    const deadline = Date.now() + patience;
     let before = await this.wanted();
     for (; Number.isNaN(before); before = await this.wanted()) {
       if (Date.now() > deadline) throw new Error("the server does not accept the change before");
@@ -236,8 +243,7 @@ export class Client {
   async picture(): Promise<Picture> {
     const hidden =
       ".ahead, .triad, .box-axes, .texts, .legends, .probe, .probe-mark, .busy, .toasts, .banner { visibility: hidden !important }";
-    // Transparent polygons take seconds a frame in software, and a screenshot waits for several frames.
-    return decodePng(await this.canvas.screenshot({ style: hidden, timeout: 90_000 }));
+    return decodePng(await this.canvas.screenshot({ style: hidden }));
   }
 
   /** Saves a screenshot for visual inspection. */
