@@ -1,5 +1,7 @@
 #include "annotations/layout.hpp"
 
+#include "color/background.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +15,7 @@ constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
 // Light text on such a dark plate has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) even over a white picture.
 constexpr float plate_opacity = 0.72F;
-constexpr double plate_edge = 0.3;   // width in ems of the edge in which a plate fades out
-constexpr float middle_gray = 0.46F; // luma on which light and dark text have equal contrast
+constexpr double plate_edge = 0.3; // width in ems of the edge in which a plate fades out
 
 TextSize size_of(double pixels, TextMeasure& measure) {
     const int rounded = std::clamp(static_cast<int>(std::lround(pixels)), smallest_text, largest_text);
@@ -25,12 +26,8 @@ double unit_of(const AnnotatedPicture& picture) {
     return size_of_picture(picture.width, picture.height) * picture.annotations.scale;
 }
 
-bool is_bright(const AnnotatedPicture& picture) { // uses the luma in the middle of the background's gradient
-    constexpr std::array<float, 3> weights{0.2126F, 0.7152F, 0.0722F};
-    float luma = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-        luma += weights[i] * (picture.background_top[i] + picture.background_bottom[i]) / 2;
-    return luma > middle_gray;
+bool is_bright(const AnnotatedPicture& picture) {
+    return color::is_bright({picture.background_top, picture.background_bottom});
 }
 
 Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1], color[2], plate_opacity}; }

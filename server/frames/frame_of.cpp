@@ -1,5 +1,6 @@
 #include "frames/frame_of.hpp"
 
+#include "color/background.hpp"
 #include "geometry/clip.hpp"
 #include "geometry/viewpoint.hpp"
 #include "geometry/volume_cut.hpp"
@@ -13,16 +14,12 @@ namespace {
 
 static_assert(render::most_clip_planes >= scene::most_clip_planes);
 
-struct Background {
-    std::array<float, 3> top, bottom;
-};
-
-Background background_of(const std::variant<scene::Scene::Background, scene::Color>& background) {
+color::Background background_of(const std::variant<scene::Scene::Background, scene::Color>& background) {
     if (const auto* color = std::get_if<scene::Color>(&background))
         return {color::floats_of(*color), color::floats_of(*color)};
     if (std::get<scene::Scene::Background>(background) == scene::Scene::Background::light)
-        return {{1.0F, 1.0F, 1.0F}, {0.90F, 0.92F, 0.95F}};
-    return {{0.10F, 0.12F, 0.16F}, {0.03F, 0.04F, 0.05F}};
+        return color::light_background;
+    return color::dark_background;
 }
 
 render::Lighting lighting_of(const scene::Lighting& lighting) {
@@ -68,7 +65,7 @@ render::Frame frame_of(const geometry::Geometry& geometry, const scene::CheckedS
     static_cast<annotations::Viewpoint&>(frame) = geometry::viewpoint_of(geometry, checked, width, height);
     frame.samples = samples;
     frame.clip = geometry::shader_planes(geometry);
-    const Background background = background_of(scene.background);
+    const color::Background background = background_of(scene.background);
     frame.background_top = background.top;
     frame.background_bottom = background.bottom;
     frame.lighting = scene.lighting.on ? lighting_of(scene.lighting) : render::Lighting{0, 0, 0};

@@ -5,6 +5,7 @@
 #include "annotations/layout.hpp"
 #include "annotations/legend_names.hpp"
 #include "annotations/ticks.hpp"
+#include "color/background.hpp"
 #include "color/color_tables.hpp"
 #include "color/scale_range.hpp"
 #include "color/scale_rules.hpp"
@@ -281,6 +282,18 @@ void scale_rules(Reader& arguments, Writer& results) {
     results.number(rules.origin);
     for (const auto& texel : rules.texels)
         for (const float channel : texel) results.number(channel);
+}
+
+void named_background(Reader& arguments, Writer& results) {
+    const color::Background background = arguments.text() == "light" ? color::light_background : color::dark_background;
+    for (const auto& end : {background.top, background.bottom})
+        for (const float channel : end) results.number(channel);
+}
+
+void is_bright(Reader& arguments, Writer& results) {
+    const auto top = color(arguments);
+    const auto bottom = color(arguments);
+    results.number(color::is_bright({top, bottom}));
 }
 
 void range_of(Reader& arguments, Writer& results) {

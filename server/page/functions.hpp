@@ -1,6 +1,6 @@
-// Functions of the server that the page calls: the layout of annotations, the default camera, numbers as text, ranges
-// of color scales and colors along them, color maps, and names of legends. Each function reads its arguments from one
-// message and appends its results to another message, in the order that its comment gives.
+// Functions of the server that the page calls: the layout of annotations, the default camera, numbers as text,
+// backgrounds, ranges of color scales and colors along them, color maps, and names of legends. Each function reads its
+// arguments from one message and appends its results to another message, in the order that its comment gives.
 #pragma once
 
 #include "annotations/text_measure.hpp"
@@ -48,6 +48,10 @@ void color_of(Reader& arguments, Writer& results);     // color scale, value -> 
 void colors_along(Reader& arguments, Writer& results); // color scale, number of colors -> number of colors, each color
 void color_row(Reader& arguments, Writer& results);    // color scale, number if smooth -> number of colors, each color
 void scale_rules(Reader& arguments, Writer& results);  // color scale -> origin, texels (see color::ScaleRules)
+
+// "light", or any other text for the dark background -> RGB at the top, RGB at the bottom (0 to 1)
+void named_background(Reader& arguments, Writer& results);
+void is_bright(Reader& arguments, Writer& results); // RGB at the top, RGB at the bottom (0 to 1) -> 0 or 1
 
 // A choice of a range (see color::RangeChoice) consists of: the given range (1, lower end, upper end, or only 0),
 // symmetric, log (0 or 1).

@@ -61,6 +61,10 @@ std::size_t call(Function function) {
 [[clang::export_name("colors_along")]] std::size_t colors_along() { return call(server::page::colors_along); }
 [[clang::export_name("color_row")]] std::size_t color_row() { return call(server::page::color_row); }
 [[clang::export_name("scale_rules")]] std::size_t scale_rules() { return call(server::page::scale_rules); }
+[[clang::export_name("named_background")]] std::size_t named_background() {
+    return call(server::page::named_background);
+}
+[[clang::export_name("is_bright")]] std::size_t is_bright() { return call(server::page::is_bright); }
 [[clang::export_name("range_of")]] std::size_t range_of() { return call(server::page::range_of); }
 [[clang::export_name("range_above_zero")]] std::size_t range_above_zero() {
     return call(server::page::range_above_zero);

@@ -275,6 +275,16 @@ TEST(PageFunctions, MakeTexelsForShaders) {
     EXPECT_EQ(results.message().size(), 1U + 5 * 4);
 }
 
+TEST(PageFunctions, TellOfBackgrounds) {
+    Writer results, light;
+    light.text("light");
+    Reader found = results_of(named_background, results, {light.message().begin(), light.message().end()});
+    EXPECT_THAT(found.numbers<3>(), ElementsAre(1, 1, 1));
+    EXPECT_THAT(found.numbers<3>(), ElementsAre(0.90F, 0.92F, 0.95F));
+    EXPECT_EQ(results_of(is_bright, results, {1, 1, 1, 0, 0, 0}).number(), 1);
+    EXPECT_EQ(results_of(is_bright, results, {0, 0, 0, 0.9, 0.9, 0.9}).number(), 0);
+}
+
 TEST(PageFunctions, ChooseRanges) {
     Writer results;
     const auto ends = [&](void (*function)(Reader&, Writer&), const std::vector<double>& arguments) {

@@ -1,6 +1,6 @@
 // Camera, bounding box, background and lights of a picture of polygons.
 import type { Bounds, FullCamera } from "../model/camera";
-import type { Rgb } from "../model/background";
+import type { Rgb } from "../wasm/background";
 import type { Lights } from "../model/lights";
 
 export interface Look {

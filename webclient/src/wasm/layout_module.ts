@@ -6,6 +6,7 @@ type Call = () => number;
 type FunctionName =
   | ("lay_out" | "lay_texts" | "label_on" | "number_alone" | "pretty_units")
   | ("has_width" | "place_of" | "value_at" | "color_of" | "colors_along" | "color_row" | "scale_rules")
+  | ("named_background" | "is_bright")
   | ("range_of" | "range_above_zero" | "is_shown_by" | "color_maps")
   | ("legend_title" | "legend_name_of" | "legend_names" | "default_camera");
 type Exports = Record<FunctionName, Call> & {
