@@ -2,6 +2,7 @@
 
 #include "ciel/mesh_faces.hpp"
 #include "ciel/point_interpolation.hpp"
+#include "store/format/attributes.hpp"
 #include "store/mesh_arrays.hpp"
 #include "store/writer.hpp"
 
@@ -15,7 +16,7 @@ namespace server::store {
 namespace {
 
 constexpr std::string_view cell_prefix = "cell:";
-constexpr std::size_t longest_name = 200, most_components = 64;
+constexpr std::size_t longest_name = 200;
 
 bool has(const std::vector<ArrayInfo>& arrays, const std::string& name) {
     return std::ranges::any_of(arrays, [&](const ArrayInfo& array) { return array.name == name; });

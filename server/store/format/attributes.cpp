@@ -10,8 +10,6 @@
 namespace server::store {
 namespace {
 
-constexpr std::uint64_t most_components = 64;
-
 std::string text_or_empty(const JsonReader& object, const char* key) {
     const auto value = object.find(key);
     return value ? value->text() : std::string();
@@ -206,7 +204,8 @@ ArrayInfo parse_array_attributes(std::string_view text, const std::filesystem::p
     array.name = ciel.at("name").text();
     array.association = parse_association(ciel.at("association"));
     const std::uint64_t components = ciel.at("components").count();
-    if (components == 0 || components > most_components) ciel.at("components").refuse_damage("must be 1 to 64");
+    if (components == 0 || components > most_components)
+        ciel.at("components").refuse_damage("must be 1 to " + std::to_string(most_components));
     array.components = static_cast<int>(components);
     array.units = text_or_empty(ciel, "units");
     array.description = text_or_empty(ciel, "description");

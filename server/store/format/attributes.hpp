@@ -8,6 +8,8 @@
 
 namespace server::store {
 
+inline constexpr std::size_t most_components = 64; // of an array of values
+
 [[nodiscard]] DatasetInfo parse_root_attributes(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string root_attributes_text(const DatasetInfo& info);
 
