@@ -122,6 +122,14 @@ describe("the browser's pace", () => {
     expect(after(900, 16, 16, 16)).toBe(16);
   });
 
+  test("of another dataset is forgotten", () => {
+    const pace = new DrawPace();
+    for (let i = 0; i < 6; i += 1) pace.drawn(1000 * i, 1000 * i + 300);
+    expect(pace.milliseconds).toBe(300);
+    pace.forget();
+    expect(pace.milliseconds).toBeNull();
+  });
+
   test("is that of the wish, not of a hand that moves now and then", () => {
     expect(after(...Array.from({ length: 20 }, () => 12))).toBe(12);
   });

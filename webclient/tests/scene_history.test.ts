@@ -115,6 +115,16 @@ describe("scene history", () => {
     expect(undone(large(newest))).toEqual(older.slice(0, 3).map(large));
   });
 
+  test("as many steps are sent as one message to the server holds", () => {
+    for (let time = 1; time <= 40; time += 1)
+      history.changed({ annotations: { title: String(time).repeat(500) } }, String(time));
+    const newest = history.accepted as Scene;
+    const { undo } = history.around(newest, 8192);
+    expect(undo.length).toBeGreaterThan(2);
+    expect(JSON.stringify({ scene: newest, undo }).length).toBeLessThan(8192 - 1024);
+    expect(history.around(newest).undo.length).toBe(40);
+  });
+
   test("nothing is known of a session that was left", () => {
     history.changed({ time: 1 }, "g");
     history.forget();

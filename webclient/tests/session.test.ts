@@ -35,11 +35,19 @@ const tooNew = {
   message: "Invalid Request",
   data: { reason: "the request is of protocol version 1.1; this server has version 2.0; use a client of version 2" },
 };
-const reconnect = async (): Promise<void> => {
+/** Answers the question for the server's limit. The page asks it if it has steps to send. */
+const told = async (messageBytes = 1 << 20): Promise<void> => {
+  await settled();
+  const [asked] = network.newest.calls("server.info");
+  const result = { limits: { message_bytes: messageBytes } };
+  network.newest.onmessage?.({ data: JSON.stringify({ jsonrpc: "2.0", id: asked?.id, result }) });
+  await settled();
+};
+const reconnect = async (messageBytes?: number): Promise<void> => {
   network.newest.onclose?.();
   clock.advance(500);
   network.newest.onopen?.();
-  await settled();
+  await told(messageBytes);
 };
 
 beforeEach(() => {
@@ -133,7 +141,7 @@ describe("session", () => {
     clock.advance(500);
     expect(network.sockets.length).toBe(2);
     network.newest.onopen?.();
-    await settled();
+    await told();
     const reopened = network.newest.calls("session.open").at(-1)?.params as { scene: Scene };
     expect(reopened.scene.layers?.iso).toMatchObject({ values: [5] }); // for a server that lost the session
     await network.newest.answer(state(scene), "session.open"); // this server still has the old scene
@@ -276,6 +284,19 @@ describe("session", () => {
     expect(opened()).toEqual([{ dataset: "other" }]);
   });
 
+  test("the steps that open a session again fit into a message to the server", async () => {
+    await join(scene, 4);
+    for (let time = 1; time <= 30; time += 1) {
+      editor.change({ annotations: { title: String(time).repeat(400) } }, String(time));
+      for (const draw of frames.splice(0)) draw();
+      await network.newest.answer(state(editor.scene as Scene), "scene.patch");
+    }
+    await reconnect(6000);
+    const [open] = network.newest.calls("session.open");
+    expect((open?.params as { undo: unknown[] }).undo.length).toBeGreaterThan(0);
+    expect(JSON.stringify(open).length).toBeLessThan(6000);
+  });
+
   test("a view that is refused leaves no session that looks open", async () => {
     network.newest.onopen?.();
     await settled();
@@ -293,5 +314,7 @@ describe("session", () => {
     expect(error({ path: "" })).toBe("Invalid scene");
     expect(error(null)).toBe("Invalid scene");
     expect(wordsFor(new Error("plain"))).toBe("plain");
+    const defect = new RpcError(-32603, "Internal error", { reason: "it broke", request: "3f2a9c01-17" });
+    expect(wordsFor(defect)).toBe("It broke (request 3f2a9c01-17)");
   });
 });

@@ -12,6 +12,7 @@ import {
   type FullCamera,
 } from "../model/camera";
 import { cameraOf } from "../model/model";
+import { sameDataset } from "../model/opening";
 import type { Vec3 } from "../generated/protocol";
 import type { Deps } from "./deps";
 
@@ -129,7 +130,8 @@ export class CameraCommands {
   }
 
   private async framed(wholeBox: boolean, view: (bounds: Bounds, now: FullCamera) => FullCamera): Promise<void> {
-    const { server } = this.deps;
+    const { model, server } = this.deps;
+    const isCurrent = sameDataset(model);
     let bounds = this.bounds();
     if (!wholeBox && server.editor.isConnected) {
       try {
@@ -139,7 +141,7 @@ export class CameraCommands {
       }
     }
     const now = this.get();
-    if (bounds !== null && now !== null) this.set(server.size.clearOfCorner(view(bounds, now), bounds));
+    if (isCurrent() && bounds !== null && now !== null) this.set(server.size.clearOfCorner(view(bounds, now), bounds));
   }
 
   private dataset(): string | undefined {

@@ -1,6 +1,7 @@
 // Commands for the colorings of layers and contour lines.
 import { withLog, type ColoringChange } from "../model/color_edit";
 import type { Json, JsonObject } from "../model/merge_patch";
+import { sameDataset } from "../model/opening";
 import { percentiles } from "../model/percentiles";
 import { coloredBy } from "../model/new_looks";
 import { shownTime, type Colored } from "../model/scalars";
@@ -39,27 +40,33 @@ export class ColorCommands {
     else this.set(of, { range: undefined, ...coloredBy(scene.peek(), description.peek(), array) });
   }
 
-  /** Returns null if the array has no values at the shown time, or if the call fails. */
+  /** Returns null if the array has no values at the shown time, the call fails, or another dataset is chosen meanwhile. */
   async usualRange(array: string): Promise<Range | null> {
     const { model, server } = this.deps;
     const description = model.description.peek();
     if (description === null) return null;
     const time = shownTime(description, model.scene.peek());
+    const isCurrent = sameDataset(model);
     const asked = { dataset: description.name, array, time, bins: USUAL_BINS };
     try {
-      return await percentiles(
-        (range) => server.session.call("dataset.histogram", { ...asked, ...(range !== null && { range }) }),
+      const range = await percentiles(
+        (part) => server.session.call("dataset.histogram", { ...asked, ...(part !== null && { range: part }) }),
         USUAL_SHARES,
       );
+      return isCurrent() ? range : null;
     } catch (error) {
-      this.deps.unanswered(error, "The range of most values cannot be computed");
+      if (isCurrent()) this.deps.unanswered(error, "The range of most values cannot be computed");
       return null;
     }
   }
 
-  /** If no values are in view or the call fails, tells the user and returns null. */
+  /**
+   * If no values are in view or the call fails, tells the user and returns null. Returns null if another dataset is
+   * chosen meanwhile.
+   */
   async rangeInView(colored: Colored): Promise<Range | null> {
-    const { server } = this.deps;
+    const { model, server } = this.deps;
+    const isCurrent = sameDataset(model);
     const of = async (part: keyof Colored): Promise<Range[]> => {
       const layers = colored[part] ?? [];
       if (layers.length === 0) return [];
@@ -69,12 +76,13 @@ export class ColorCommands {
     };
     try {
       const ranges = [...(await of("layers")), ...(await of("contours"))];
+      if (!isCurrent()) return null;
       if (ranges.length > 0)
         return [Math.min(...ranges.map(([low]) => low)), Math.max(...ranges.map(([, high]) => high))];
       this.deps.tell("No value of these layers is in view; move the layers into view and try again", "error");
       return null;
     } catch (error) {
-      this.deps.unanswered(error, "The range in view cannot be computed");
+      if (isCurrent()) this.deps.unanswered(error, "The range in view cannot be computed");
       return null;
     }
   }

@@ -1,3 +1,4 @@
+import { sameDataset } from "../model/opening";
 import { probeText } from "../model/probe_text";
 import { unitsOf } from "../model/scalars";
 import type { Vec3 } from "../generated/protocol";
@@ -7,18 +8,23 @@ import type { Deps } from "./deps";
 export class ProbeCommands {
   constructor(private readonly deps: Deps) {}
 
-  /** (x, y) is in CSS pixels of the canvas. Returns null if nothing is drawn there, undefined if the call failed. */
+  /**
+   * (x, y) is in CSS pixels of the canvas. Returns null if nothing is drawn there, undefined if the call failed or
+   * another dataset was chosen meanwhile.
+   */
   async at(x: number, y: number): Promise<Vec3 | null | undefined> {
     const { model, server } = this.deps;
     const { width, height } = server.size.pixels();
     const ratio = width / server.size.css.width;
+    const isCurrent = sameDataset(model);
     const asked = { session: server.tab.id, pixel: [x * ratio, y * ratio] as [number, number], width, height };
     try {
       const result = await server.session.call("probe.point", asked);
+      if (!isCurrent()) return undefined;
       model.probe.value = result.hit ? { result, time: model.readout.peek().time } : null;
       return result.position;
     } catch (error) {
-      this.deps.unanswered(error, "The values at the point cannot be read");
+      if (isCurrent()) this.deps.unanswered(error, "The values at the point cannot be read");
       return undefined;
     }
   }

@@ -12,6 +12,10 @@ export class DrawPace {
     this.waits = [...this.waits.slice(1 - REMEMBERED), at - requestedAt];
   }
 
+  forget(): void {
+    this.waits = [];
+  }
+
   get milliseconds(): number | null {
     if (this.waits.length < FEWEST) return null;
     const sorted = [...this.waits].sort((a, b) => a - b);

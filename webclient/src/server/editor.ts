@@ -109,9 +109,9 @@ export class SceneEditor {
     return this.queue.length > 0 || this.unanswered.length > 0 || this.lostUnanswered;
   }
 
-  /** Undo and redo steps that the page sends when it opens the session again with this scene. */
-  stepsAround(scene: Scene): Steps {
-    return this.history.around(scene);
+  /** Undo and redo steps that the page sends when it opens the session again, in a message of at most `messageBytes`. */
+  stepsAround(scene: Scene, messageBytes?: number): Steps {
+    return this.history.around(scene, messageBytes);
   }
 
   /** The server's scene and the steps around it, for restoreSteps() of a reloaded page. Empty before a session. */

@@ -9,8 +9,10 @@ export interface Steps {
 }
 
 const [, MOST_STEPS] = LIMITS["session.open"].undo;
-/** Most bytes of a scene with its steps as JSON. The message that contains them may have 1 MiB. */
+/** Most bytes of a scene with its steps as JSON. The usual limit of a message is 1 MiB. */
 const MOST_BYTES = 1_000_000;
+/** Bytes of the message that are neither scene nor steps. */
+const REST_OF_REQUEST = 2048;
 /** Gesture name for the changes of other clients. Their gestures are unknown, so consecutive ones count as one step. */
 const OF_OTHERS = "others";
 
@@ -69,12 +71,15 @@ export class SceneHistory {
     this.steps = step === "undo" ? { undo: taken, redo: back } : { undo: back, redo: taken };
   }
 
-  /** Returns the steps to open a session with. The scene may contain changes that the server has not accepted. */
-  around(scene: Scene): Steps {
+  /**
+   * Returns the steps to open a session with, as many as fit into a message of `messageBytes`. The scene may contain
+   * changes that the server has not accepted.
+   */
+  around(scene: Scene, messageBytes?: number): Steps {
     const begun = scene as unknown as JsonObject;
     if (this.scene === null) return { undo: [], redo: [] };
-    if (equal(begun, this.scene)) return fitting(this.steps, begun);
-    return fitting({ undo: [diff(begun, this.scene), ...this.steps.undo], redo: [] }, begun);
+    if (equal(begun, this.scene)) return fitting(this.steps, begun, messageBytes);
+    return fitting({ undo: [diff(begun, this.scene), ...this.steps.undo], redo: [] }, begun, messageBytes);
   }
 
   /** Text for restore(). Empty before a session. */
@@ -129,12 +134,12 @@ function savedIn(text: string): Saved | null {
 const bytesOf = (value: JsonObject): number => new TextEncoder().encode(JSON.stringify(value)).length;
 
 /** Returns as many of the nearest steps as fit into one message with the scene. */
-function fitting({ undo, redo }: Steps, scene: JsonObject): Steps {
-  let left = MOST_BYTES - bytesOf(scene);
+function fitting({ undo, redo }: Steps, scene: JsonObject, messageBytes = Infinity): Steps {
+  let left = Math.min(MOST_BYTES, messageBytes - REST_OF_REQUEST) - bytesOf(scene);
   const near = (patches: JsonObject[]): JsonObject[] => {
     const fit: JsonObject[] = [];
     for (const patch of patches.slice(0, MOST_STEPS)) {
-      left -= bytesOf(patch);
+      left -= bytesOf(patch) + 1; // with the comma behind it
       if (left < 0) break;
       fit.push(patch);
     }

@@ -1,9 +1,10 @@
 // Opens the session and a view after each connection. If the session already exists on the server, the page joins it.
-import type { Notifications, Scene, SessionState } from "../generated/protocol";
+import { ErrorCode, type Notifications, type Scene, type SessionState } from "../generated/protocol";
 import type { ConnectionState } from "../model/state";
 import { Connection, type Clock, type SocketLike } from "./connection";
 import { Disconnected, RpcError, type MethodName, type Params, type Post, type Result, type Rpc } from "./rpc";
 import type { SceneEditor } from "./editor";
+import type { Steps } from "./scene_history";
 
 export interface ViewSize {
   width: number;
@@ -164,8 +165,9 @@ export class Session {
     const call: Caller = (method, params) => rpc.call(method, params);
     const scene = chosen ?? this.editor.scene ?? (await this.host.firstScene(call));
     if (this.rpc !== rpc || scene === null) return;
-    const steps = this.editor.stepsAround(scene);
-    const state = await rpc.call("session.open", { session, scene, ...(chosen === null ? steps : {}) });
+    const steps = chosen === null ? await this.stepsThatFit(call, scene) : {};
+    if (this.rpc !== rpc) return;
+    const state = await rpc.call("session.open", { session, scene, ...steps });
     if (this.rpc !== rpc) return;
     if (chosen !== null) this.editor.forget();
     if (this.chosen === chosen) this.chosen = null;
@@ -191,6 +193,14 @@ export class Session {
     this.setStream(this.host.stream());
   }
 
+  /** The server closes the connection if a message is too long, so it is asked for its limit first. */
+  private async stepsThatFit(call: Caller, scene: Scene): Promise<Steps> {
+    const { undo, redo } = this.editor.stepsAround(scene);
+    if (undo.length + redo.length === 0) return { undo, redo };
+    const { limits } = await call("server.info", {});
+    return this.editor.stepsAround(scene, limits.message_bytes);
+  }
+
   private setView(view: number): void {
     this.view = view;
     this.host.viewOpened(view);
@@ -201,12 +211,16 @@ export class Session {
   }
 }
 
-/** Returns the text of an error for the user: the server's reason, and the path of the refused member of the scene. */
+/**
+ * Returns the text of an error for the user: the server's reason, and the path of the refused member of the scene. A
+ * defect of the server has its request id, with which the operator finds it in the log.
+ */
 export function wordsFor(error: Error): string {
   if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;
-  const { reason, path } = error.data as { reason?: unknown; path?: unknown };
+  const { reason, path, request } = error.data as { reason?: unknown; path?: unknown; request?: unknown };
   const words = typeof reason === "string" && reason !== "" ? reason : error.message;
   const sentence = words.charAt(0).toUpperCase() + words.slice(1);
+  if (error.code === ErrorCode.InternalError && typeof request === "string") return `${sentence} (request ${request})`;
   // The text of a schema error already begins with the path.
   return typeof path === "string" && !words.startsWith(path) ? `${sentence} (${path})` : sentence;
 }

@@ -46,7 +46,10 @@ export class Streams {
   /** Call when the scene was changed by this page or another client. */
   changed(before: Scene | null, now: Scene | null): void {
     if (before === null || now === null || before === now) return;
-    if (before.dataset !== now.dataset) this.polygons.forget();
+    if (before.dataset !== now.dataset) {
+      this.polygons.forget();
+      this.pace.forget();
+    }
     const keys = new Set([...Object.keys(before), ...Object.keys(now)]) as Set<keyof Scene>;
     const others = [...keys].some((key) => key !== "camera" && before[key] !== now[key]);
     this.gesture = others ? "value" : "camera";
