@@ -31,7 +31,9 @@ def test_calls_and_batches(server):
     assert client.batch([]) == []
     with pytest.raises(RpcError, match="/dataset is missing") as refused:
         client.call("dataset.describe")
-    assert refused.value.path == "/dataset" and refused.value.message == "Invalid params"
+    assert refused.value.path == "/dataset" and refused.value.message == "Invalid params" and refused.value.request
+    with pytest.raises(RpcError, match="64"):
+        client.batch([("dataset.list", {})] * 65)
 
 
 def test_the_printed_address_is_enough(server):

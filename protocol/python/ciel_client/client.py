@@ -26,7 +26,11 @@ MOST_NOTIFICATIONS = 1000
 
 
 class RpcError(Exception):
-    """Raised when a call fails. `code` is one of types.ERROR_CODES or of JSON-RPC 2.0."""
+    """Raised when a call fails. `code` is one of types.ERROR_CODES or of JSON-RPC 2.0.
+
+    `path`: the refused member of the parameters; None if no member is to blame. `request`: the id of the call in the
+    server's log.
+    """
 
     def __init__(self, error: dict[str, Any]) -> None:
         data = error.get("data") or {}
@@ -34,6 +38,7 @@ class RpcError(Exception):
         self.code: int = error["code"]
         self.message: str = error["message"]
         self.path: str | None = data.get("path")
+        self.request: str | None = data.get("request")
 
 
 def _request(number: int, method: str, params: dict[str, Any]) -> dict[str, Any]:
@@ -79,10 +84,16 @@ class Client(Calls):
         return _result(self._post(_request(next(self._ids), method, params)))
 
     def batch(self, calls: list[tuple[str, dict[str, Any]]]) -> list[Any]:
-        """Sends calls in one request. Returns the results in order. The result of a failed call is an RpcError."""
+        """Sends calls in one request. Returns the results in order. The result of a failed call is an RpcError.
+
+        Raises RpcError if the server refuses the whole batch.
+        """
         requests = [_request(i, method, params) for i, (method, params) in enumerate(calls)]
         results: list[Any] = [None] * len(calls)
-        for answer in self._post(requests) if calls else []:
+        answers = self._post(requests) if calls else []
+        if isinstance(answers, dict):
+            raise RpcError(answers["error"])
+        for answer in answers:
             results[answer["id"]] = RpcError(answer["error"]) if "error" in answer else _result(answer)
         return results
 
