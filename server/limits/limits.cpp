@@ -32,7 +32,7 @@ constexpr auto rows = std::to_array<LimitRow>({
      "file descriptors that connections leave for datasets and child processes", million},
     {"sessions", &Limits::sessions, Unit::count, "sessions kept", million},
     {"views_per_session", &Limits::views_per_session, Unit::count, "views of one session", million},
-    {"layers", &Limits::layers, Unit::count, "layers of one scene", million},
+    {"layers", &Limits::layers, Unit::count, "layers of one scene", 64},
     {"values_per_layer", &Limits::values_per_layer, Unit::count, "iso-values of one layer", 64},
     {"undo_steps", &Limits::undo_steps, Unit::count, "changes that can be undone", million},
     {"scene_bytes", &Limits::scene_bytes, Unit::bytes, "size of one scene as JSON text", most_bytes},

@@ -71,6 +71,13 @@ TEST(Limits, are_read_as_numbers_sizes_and_shares_of_memory) {
     EXPECT_EQ(parse_limit(row_of("dataset_memory_bytes"), "25%"), machine_memory() / 100 * 25);
 }
 
+TEST(Limits, that_the_contract_has_too_are_at_most_those_of_the_contract) {
+    EXPECT_THAT(problem("layers", "65"), testing::HasSubstr("64"));
+    EXPECT_THAT(problem("values_per_layer", "65"), testing::HasSubstr("64"));
+    EXPECT_THAT(problem("image_side", "8193"), testing::HasSubstr("8192"));
+    EXPECT_THAT(problem("histogram_bins", "4097"), testing::HasSubstr("4096"));
+}
+
 TEST(Limits, of_memory_are_shares_of_the_machines) {
     const Limits limits;
     for (const auto& row : limit_rows()) {
