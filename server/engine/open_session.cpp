@@ -7,8 +7,9 @@
 namespace server::engine {
 
 OpenSession::OpenSession(std::string id, const EngineServices& services,
-                         std::shared_ptr<const sessions::SceneVersion> first, const sessions::UndoRedoSteps& steps)
-    : Session(std::move(id), services, std::move(first), steps), services_(services),
+                         std::shared_ptr<const sessions::SceneVersion> first, Opener opener,
+                         const sessions::UndoRedoSteps& steps)
+    : Session(std::move(id), services, std::move(first), steps), services_(services), opener_(std::move(opener)),
       scene_geometry_(services.extraction), surfaces_(services.memory, limits::Held::surfaces) {}
 
 std::shared_ptr<const geometry::Geometry> OpenSession::geometry(const sessions::SceneVersion& version,

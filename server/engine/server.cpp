@@ -130,20 +130,21 @@ struct Server::State {
         test_picture_known.notify_all();
     }
 
-    // Each worker has its own GL context, so the server is ready only if the pictures of both workers are right.
-    void draw_test_pictures() {
-        const auto test_pictures = [this](Worker& worker) { know(tested(worker)); };
-        const auto test_frames = [this, test_pictures](Worker& worker) {
+    // Each worker has its own GL context, so the server is ready only if the pictures of all workers are right. They
+    // draw one after the other, from worker `number` on.
+    void draw_test_pictures(unsigned number = 0) {
+        const bool draws_frames = number < workers.count();
+        FrameWorkers& these = draws_frames ? workers : picture_workers;
+        const auto test = [this, number](Worker& worker) {
             const frames::TestPictureResult result = tested(worker);
-            if (!result.passed) return know(result);
-            try {
-                if (!picture_workers.post_later(Clock::now(), test_pictures)) know_of_end();
-            } catch (const std::exception& error) { // out of memory
-                know({.problem = store::sentence_for_clients(error)});
-            }
+            if (result.passed && number + 1 < workers.count() + picture_workers.count())
+                draw_test_pictures(number + 1);
+            else
+                know(result);
         };
         try {
-            if (!workers.post_later(Clock::now(), test_frames)) know_of_end();
+            const unsigned among_these = draws_frames ? number : number - workers.count();
+            if (!these.post_later_to(among_these, Clock::now(), test)) know_of_end();
         } catch (const std::exception& error) { // out of memory
             know({.problem = store::sentence_for_clients(error)});
         }

@@ -22,10 +22,14 @@ std::string random_id() {
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-void tell_closed(const sessions::Session& session, const char* why) {
-    logging::log_event(
-        logging::LogLevel::info, "session closed",
-        {{"session", logging::short_id(session.id())}, {"why", why}, {"seconds", seconds_since(session.opened())}});
+// `request` and `user` in the line are those of session.open.
+void tell_closed(const OpenSession& session, const char* why) {
+    logging::log_event(logging::LogLevel::info, "session closed",
+                       {{"session", logging::short_id(session.id())},
+                        {"why", why},
+                        {"seconds", seconds_since(session.opened())},
+                        {"request", session.opener().request},
+                        {"user", session.opener().user}});
 }
 void tell_closed(const sessions::Session& session, const Caller& by) {
     logging::log_event(logging::LogLevel::info, "session closed",
@@ -70,7 +74,8 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();
     const std::string name = id.empty() ? random_id() : id;
-    auto session = std::make_shared<OpenSession>(name, services_, std::move(first), steps);
+    auto session = std::make_shared<OpenSession>(name, services_, std::move(first),
+                                                 OpenSession::Opener{by.connection.user, by.request}, steps);
     sessions_[name] = session;
     logging::log_event(logging::LogLevel::info, "session opened",
                        {{"session", logging::short_id(name)},

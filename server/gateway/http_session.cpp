@@ -119,7 +119,8 @@ private:
         return 1;
     }
 
-    // Sets the address that a trusted proxy has forwarded, and returns its counting_key(), or an empty text.
+    // If a trusted proxy has forwarded the client's address, sets the address of `request`, and returns its
+    // counting_key(). Else returns an empty text.
     std::string client_of(Request& request) const {
         const auto client = start_.is_of_trusted_proxy ? last_forwarded_for(request.forwarded_for) : std::nullopt;
         if (!client) return {};
@@ -158,7 +159,7 @@ private:
                 resolved = refused(std::move(*problem));
             else {
                 HttpRequest message = parser.release();
-                Client client{0, request.remote, request.user, {}, resolved.claim == Claim::token};
+                Client client{0, request.remote, request.user, request.id, resolved.claim == Claim::token};
                 co_await upgrade(std::move(message), std::move(client));
                 co_return false;
             }

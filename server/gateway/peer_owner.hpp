@@ -58,7 +58,8 @@ private:
     Table v4_{"/proc/net/tcp"}, v6_{"/proc/net/tcp6"};
 };
 
-// Reads the kernel's tables on its own thread, because with thousands of connections this takes long.
+// Finds the user that owns the other end of a local connection, in the kernel's table of TCP connections. Reads the
+// table on its own thread, because with thousands of connections reading it takes long.
 class PeerOwners {
 public:
     // Await this on the connection's executor.

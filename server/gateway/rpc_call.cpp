@@ -19,7 +19,7 @@ struct Pending {
     std::stop_source hung_up;
 };
 
-// Stops the call when the peer closes its side.
+// Calls Peer::closed and stops the call when the client closes its side.
 void watch(beast::tcp_stream& stream, const std::shared_ptr<Pending>& pending, const std::shared_ptr<Peer>& peer,
            asio::thread_pool& workers) {
     stream.socket().async_wait(asio::ip::tcp::socket::wait_read,

@@ -70,7 +70,8 @@ private:
     websocket::stream<beast::tcp_stream> socket_;
     std::shared_ptr<SendQueue> send_queue_;
     std::shared_ptr<Peer> peer_;
-    std::string remote_, user_;
+    std::string remote_, user_, request_; // request_: id of the upgrade
+    std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
     std::stop_source closed_;
     struct Inbound {
         std::string bytes;
@@ -98,6 +99,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     socket_.set_option(websocket::stream_base::decorator([this](websocket::response_type& response) {
         response.set(beast::http::field::sec_websocket_protocol, std::string(subprotocol));
         response.set(beast::http::field::server, "CIEL/" + state_.version);
+        response.set("X-Request-Id", request_);
     }));
     socket_.control_callback([this](websocket::frame_type kind, boost::beast::string_view) {
         // Disconnects on an invalid close code, because such a code must not be sent back.
@@ -129,6 +131,7 @@ void WebSocketSession::open(Client client) {
 }
 
 asio::awaitable<void> WebSocketSession::run(HttpRequest upgrade, Client client, OnDrain on_drain) {
+    request_ = std::exchange(client.request, {});
     const bool accepted = co_await accept(std::move(upgrade));
     if (!accepted) co_return;
     spdlog::debug("{}: WebSocket opened", client.remote);
@@ -277,8 +280,10 @@ void WebSocketSession::send_queue_pushed() {
 }
 
 void WebSocketSession::log_end(std::string_view reason) const {
-    logging::log_event(logging::LogLevel::info, "a WebSocket was closed",
-                       {{"reason", reason}, {"user", user_}, {"remote", remote_}});
+    const std::chrono::duration<double> open = std::chrono::steady_clock::now() - opened_;
+    logging::log_event(
+        logging::LogLevel::info, "a WebSocket was closed",
+        {{"reason", reason}, {"seconds", open.count()}, {"request", request_}, {"user", user_}, {"remote", remote_}});
 }
 
 void WebSocketSession::end() {

@@ -27,6 +27,7 @@ def test_each_line_is_json_with_utc_and_links_the_clients_error(box, tmp_path):
             "jsonrpc": "2.0", "id": 1, "method": "scene.get", "params": {"session": "s" * 30}})
         opened = running.call("session.open", dataset="box")
         running.call("session.close", session=opened["session"])
+        running.call("session.open", dataset="box")
     whole = (tmp_path / "log").read_text()
     lines = [json.loads(line) for line in whole.splitlines() if line.startswith("{")]  # other lines are Mesa's
     assert all(UTC.fullmatch(line["time"]) and line["level"] and line["event"] for line in lines)
@@ -34,7 +35,8 @@ def test_each_line_is_json_with_utc_and_links_the_clients_error(box, tmp_path):
     assert failed["request"] == answer.json()["error"]["data"]["request"] == answer.headers["X-Request-Id"]
     assert failed["method"] == "scene.get" and failed["ms"] >= 0 and failed["remote"].startswith("127.0.0.1:")
     events = [line["event"] for line in lines]
-    assert events.count("session opened") == events.count("session closed") == 1
+    assert events.count("session opened") == events.count("session closed") == 2
+    assert {line["why"] for line in lines if line["event"] == "session closed"} == {"by a client", "the server stops"}
     own_user = pwd.getpwuid(os.geteuid()).pw_name
     for line in lines:
         if line["event"].startswith("session "):
@@ -79,9 +81,10 @@ def test_readiness_is_answered_while_the_worker_is_busy(box):
             session = (await caller.call("session.open", scene=scene))["session"]
             await caller.call("view.open", session=session, width=1500, height=1500, pixel_ratio=4)
             await asyncio.to_thread(until, lambda: running.metrics()["ciel_frame_workers_busy"] == 1)
-            for _ in range(3):
-                answer = await asyncio.to_thread(running.get, "/readyz")
-                assert answer.status_code == 200 and answer.json()["ready"]
+            await asyncio.sleep(1.1)  # longer than a result stays fresh
+            answer = await asyncio.to_thread(running.get, "/readyz")
+            assert answer.status_code == 200 and answer.json()["ready"]
+            assert running.metrics()["ciel_frame_workers_busy"] == 1, "the frame was finished before the answer"
 
     with Server(box) as running:
         assert running.get("/readyz").json()["ready"]

@@ -177,7 +177,7 @@ def test_what_ends_a_connection_has_a_line_in_the_log(tmp_path):
         lines = [line for line in log.read_text().splitlines() if "a WebSocket was closed" in line]
         assert len(lines) == 2, lines
         assert "illegal opcode" in lines[0] and "--allow-append" in lines[1]
-        assert all("remote=127.0.0.1" in line for line in lines)
+        assert all("remote=127.0.0.1" in line and "seconds=" in line and "request=" in line for line in lines)
 
 
 def test_another_version_of_the_protocol_is_refused(server):

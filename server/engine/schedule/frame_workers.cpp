@@ -33,7 +33,7 @@ void Worker::rest() {
 FrameWorkers::FrameWorkers(unsigned threads, render::Backend backend, limits::Memory& memory, int still_samples)
     : backend_(backend), memory_(memory), still_samples_(still_samples) {
     for (unsigned i = 0; i < std::max(threads, 1U); ++i)
-        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+        threads_.emplace_back([this, i](const std::stop_token& stop) { work(stop, i); });
 }
 
 FrameWorkers::~FrameWorkers() {
@@ -49,13 +49,21 @@ bool FrameWorkers::post(Job job) {
     return true;
 }
 
-bool FrameWorkers::post_later(Clock::time_point due, Job job) {
+bool FrameWorkers::post_later(Clock::time_point due, Job job) { return add_later(due, {std::move(job), {}}); }
+
+bool FrameWorkers::post_later_to(unsigned number, Clock::time_point due, Job job) {
+    return add_later(due, {std::move(job), number});
+}
+
+bool FrameWorkers::add_later(Clock::time_point due, LaterJob job) {
     const std::scoped_lock lock(mutex_);
     if (draining_) return false;
     later_.emplace(due, std::move(job));
     changed_.notify_all();
     return true;
 }
+
+unsigned FrameWorkers::count() const { return static_cast<unsigned>(threads_.size()); }
 
 void FrameWorkers::rest() {
     const std::scoped_lock lock(mutex_);
@@ -65,7 +73,7 @@ void FrameWorkers::rest() {
 
 void FrameWorkers::drain() {
     std::deque<Job> dropped_now; // destroyed after `lock`, because a job may hold the last reference to a view
-    std::multimap<Clock::time_point, Job> dropped_later;
+    LaterJobs dropped_later;
     std::unique_lock lock(mutex_);
     draining_ = true;
     dropped_now.swap(now_);
@@ -88,18 +96,26 @@ bool FrameWorkers::has_waiting() const {
     return busy_ == threads_.size() && !now_.empty();
 }
 
-FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
-                                     std::uint64_t& rests) {
-    const auto take_later = [&] {
-        Job job = std::move(later_.begin()->second);
-        later_.erase(later_.begin());
+FrameWorkers::LaterJobs::iterator FrameWorkers::later_for(unsigned number) {
+    return std::ranges::find_if(later_,
+                                [number](const auto& later) { return later.second.only.value_or(number) == number; });
+}
+
+FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, unsigned number,
+                                     Worker& worker, std::uint64_t& rests) {
+    const auto take = [&](LaterJobs::iterator later) {
+        Job job = std::move(later->second.job);
+        later_.erase(later);
         return job;
     };
+    constexpr Clock::time_point never = Clock::time_point::max();
+    const auto due_of = [&](LaterJobs::iterator later) { return later == later_.end() ? never : later->first; };
     while (!stop.stop_requested()) {
         const auto time = Clock::now();
-        if (passed_over_ == 0 && !later_.empty() && later_.begin()->first + patience < time) {
+        const auto later = later_for(number);
+        if (passed_over_ == 0 && later != later_.end() && later->first + patience < time) {
             passed_over_ = now_.size();
-            return take_later();
+            return take(later);
         }
         if (!now_.empty()) {
             Job job = std::move(now_.front());
@@ -107,7 +123,7 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
             if (passed_over_ > 0) --passed_over_;
             return job;
         }
-        if (!later_.empty() && later_.begin()->first <= time) return take_later();
+        if (later != later_.end() && later->first <= time) return take(later);
         if (rests != rests_) {
             rests = rests_;
             lock.unlock();
@@ -115,23 +131,21 @@ FrameWorkers::Job FrameWorkers::next(std::unique_lock<std::mutex>& lock, const s
             lock.lock();
             continue;
         }
-        if (later_.empty())
-            changed_.wait(lock, stop, [&] { return !now_.empty() || !later_.empty() || rests != rests_; });
-        else {
-            const auto due = later_.begin()->first;
-            changed_.wait_until(lock, stop, due, [&] {
-                return !now_.empty() || later_.empty() || later_.begin()->first < due || rests != rests_;
-            });
-        }
+        const auto due = due_of(later);
+        const auto has_other = [&] { return !now_.empty() || rests != rests_ || due_of(later_for(number)) != due; };
+        if (due == never)
+            changed_.wait(lock, stop, has_other);
+        else
+            changed_.wait_until(lock, stop, due, has_other);
     }
     return {};
 }
 
-void FrameWorkers::work(const std::stop_token& stop) {
+void FrameWorkers::work(const std::stop_token& stop, unsigned number) {
     Worker worker(*this, backend_, memory_, still_samples_);
     std::unique_lock lock(mutex_);
     std::uint64_t rests = rests_;
-    while (Job job = next(lock, stop, worker, rests)) {
+    while (Job job = next(lock, stop, number, worker, rests)) {
         ++busy_;
         lock.unlock();
         run_job([&] { job(worker); });

@@ -58,6 +58,7 @@ public:
     // these have run. After drain(), both functions drop the job and return false.
     bool post(Job job);
     bool post_later(Clock::time_point due, Job job);
+    bool post_later_to(unsigned number, Clock::time_point due, Job job); // to one worker. REQUIRES: number < count()
 
     // Runs `function(worker)` after interactive frames. Waits for its end, and returns its result or throws its
     // exception. Must not be called from a job. Throws Error after drain().
@@ -75,17 +76,27 @@ public:
         throw ciel::Error("the server is about to stop and draws no further pictures; try again after its restart");
     }
 
-    void rest();                         // makes each worker call its rest() when it is idle
-    void drain();                        // drops waiting jobs, refuses new jobs; returns when no job runs
-    [[nodiscard]] unsigned busy() const; // number of workers that run a job
+    void rest();                          // makes each worker call its rest() when it is idle
+    [[nodiscard]] unsigned count() const; // number of workers
+    void drain();                         // drops waiting jobs, refuses new jobs; returns when no job runs
+    [[nodiscard]] unsigned busy() const;  // number of workers that run a job
     [[nodiscard]] bool draining() const;
     [[nodiscard]] bool has_waiting() const; // true if a job of post() waits because no worker is free
 
 private:
-    void work(const std::stop_token& stop);
+    struct LaterJob {
+        Job job;
+        std::optional<unsigned> only; // number of the worker that must run it; nullopt: any worker
+    };
+    using LaterJobs = std::multimap<Clock::time_point, LaterJob>;
+
+    bool add_later(Clock::time_point due, LaterJob job);
+    void work(const std::stop_token& stop, unsigned number);
+    // Returns the first job of later_ that the worker may run, or the end.
+    [[nodiscard]] LaterJobs::iterator later_for(unsigned number);
     // Returns an empty job if `stop` was requested. `rests`: number of rest() calls that this worker has followed.
-    [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, Worker& worker,
-                           std::uint64_t& rests);
+    [[nodiscard]] Job next(std::unique_lock<std::mutex>& lock, const std::stop_token& stop, unsigned number,
+                           Worker& worker, std::uint64_t& rests);
 
     render::Backend backend_;
     limits::Memory& memory_;
@@ -93,7 +104,7 @@ private:
     mutable std::mutex mutex_;
     std::condition_variable_any changed_;
     std::deque<Job> now_;
-    std::multimap<Clock::time_point, Job> later_;
+    LaterJobs later_;
     std::size_t passed_over_ = 0; // number of jobs at the front of now_ that a job of later_ has overtaken
     unsigned busy_ = 0;
     bool draining_ = false;

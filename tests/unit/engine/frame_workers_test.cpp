@@ -1,5 +1,6 @@
 #include "engine/schedule/frame_workers.hpp"
 
+#include <array>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <latch>
@@ -112,6 +113,33 @@ TEST(frame_workers, go_on_after_a_job_that_throws) {
     workers.post([](Worker&) { throw std::bad_alloc(); });
     EXPECT_EQ(workers.run([](Worker&) { return 7; }), 7);
     workers.drain();
+}
+
+TEST(frame_workers, a_job_for_one_worker_waits_for_that_worker) {
+    limits::Memory memory = unlimited();
+    std::latch started{1}, go{1}, done{2};
+    std::atomic<const Worker*> busy = nullptr;
+    std::array<std::atomic<const Worker*>, 2> ran{};
+    FrameWorkers workers{2, render::Backend::automatic, memory};
+    ASSERT_EQ(workers.count(), 2U);
+    workers.post([&](Worker& worker) {
+        busy = &worker;
+        started.count_down();
+        go.wait();
+    });
+    started.wait();
+    for (unsigned number = 0; number < 2; ++number)
+        workers.post_later_to(number, Clock::now(), [&, number](Worker& worker) {
+            ran[number] = &worker;
+            done.count_down();
+        });
+    while (ran[0] == nullptr && ran[1] == nullptr) std::this_thread::yield();
+    std::this_thread::sleep_for(20ms);
+    EXPECT_NE(ran[0] == nullptr, ran[1] == nullptr) << "the free worker has run both";
+    go.count_down();
+    done.wait();
+    EXPECT_NE(ran[0], ran[1]);
+    EXPECT_TRUE(ran[0] == busy || ran[1] == busy);
 }
 
 } // namespace

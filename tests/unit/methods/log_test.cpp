@@ -182,6 +182,22 @@ TEST_F(TestPicture, fails_if_a_worker_hangs) {
     gate.set_value();
 }
 
+TEST_F(TestPicture, fails_if_one_of_two_workers_hangs) {
+    limits::Limits impatient;
+    impatient.hang_seconds = 1;
+    engine::ServerOptions two = options(impatient);
+    two.render_workers = 2;
+    engine::Server server(std::move(two));
+    ASSERT_TRUE(server.draw_test_picture().passed);
+    std::promise<void> gate;
+    server.frame_workers().post([opened = gate.get_future().share()](engine::Worker&) { opened.wait(); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // longer than a result stays valid
+    (void)server.test_picture_by_now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+    EXPECT_FALSE(server.test_picture_by_now().passed);
+    gate.set_value();
+}
+
 TEST_F(TestPicture, ends_where_nothing_is_drawn_any_more) {
     engine::Server server(options());
     ASSERT_TRUE(server.draw_test_picture().passed);
