@@ -24,7 +24,8 @@ class Catalog {
 public:
     // Each path is a NAME.ciel directory, or a folder that every list() searches for such directories. Throws Error for
     // a path that does not exist or is a file. Datasets with the same name get numbers: NAME-2, NAME-3.
-    // field_budget_bytes: for each dataset. most_bytes: if all datasets need more memory, unused datasets are dropped.
+    // field_budget_bytes: most memory of the fields of one dataset. most_bytes: most memory of all datasets together;
+    // if they need more, unused datasets are dropped.
     explicit Catalog(std::vector<std::filesystem::path> paths, std::size_t field_budget_bytes = std::size_t{4} << 30,
                      std::size_t most_bytes = std::size_t{8} << 30, std::optional<FileAccess> access = std::nullopt,
                      LateSteps late = {});

@@ -31,12 +31,12 @@ public:
           late_folder_(late_folder), late_files_(directory_, late_folder, info_.id),
           late_changes_(late_files_.changes()), access_(access) {
         if (before != nullptr) {
-            any_lost_ = before->any_lost_;
+            losses_ = before->losses_;
             chunks_ = before->chunks_;
             meshes_ = before->meshes_;
         }
         for (std::size_t m = meshes_.size(); m < marker_.meshes; ++m)
-            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, any_lost_, access_));
+            meshes_.push_back(std::make_shared<MappedMesh>(layout::mesh(directory_, m), info_.id, losses_, access_));
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
             positions_.push_back(read_layout(meshes_[m]->directory() / "positions", meshes_[m]->vertex_count(), 3));
             coordinate_checksums_.push_back(coordinate_checksums(m, before));
@@ -73,9 +73,11 @@ public:
     }
 
     void check_intact() const override {
-        if (!*any_lost_) return;
+        const std::uint32_t losses = *losses_;
+        if (losses == losses_let_go_) return;
         for (const auto& mesh : meshes_) mesh->check_intact();
         chunks_->check_intact();
+        losses_let_go_ = losses; // no file that is still mapped is lost
     }
 
     void check_unchanged() const override {
@@ -416,7 +418,8 @@ private:
     std::vector<ArrayLayout> positions_;                         // per mesh
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
     std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh, by array name
-    AnyLost any_lost_ = none_lost(); // shared with refreshed versions, like the mapped files
+    LossCount losses_ = no_losses();                       // shared with refreshed versions, like the mapped files
+    mutable std::atomic<std::uint32_t> losses_let_go_ = 0; // losses of mappings that no longer exist
     mutable std::mutex loaders_mutex_;
     // Key: mesh, coordinate set.
     mutable std::map<std::pair<std::size_t, std::size_t>, std::weak_ptr<const PositionsLoader>> loaders_;
@@ -424,7 +427,7 @@ private:
     LateFiles late_files_;
     std::uint64_t late_changes_; // LateFiles::changes() when the dataset was opened or refreshed
     FileAccess access_;
-    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(any_lost_, access_);
+    std::shared_ptr<ChunkCache> chunks_ = std::make_shared<ChunkCache>(losses_, access_);
 };
 
 } // namespace

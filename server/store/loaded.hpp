@@ -44,6 +44,7 @@ public:
     [[nodiscard]] std::shared_ptr<Dataset> dataset() const; // the dataset as of the last refresh()
     bool refresh(); // adds new steps from the disk; returns whether there were any
 
+    // This and the functions below throw Error when a file is damaged or cannot be read.
     [[nodiscard]] std::shared_ptr<const ciel::Topology> topology(std::size_t mesh);
     // Throws NotWritten when the array was not written at the step, NotYetRead when it is late, and Error when `name`
     // is not a scalar on points.
@@ -71,7 +72,8 @@ public:
     [[nodiscard]] std::shared_ptr<const ciel::CellLocator> locator(std::size_t step);
     // Reads one small file.
     [[nodiscard]] std::shared_ptr<const ciel::BlockBoxes> boxes(std::size_t step);
-    // Returns the field dot(normal, position - origin), whose iso-surfaces are slices.
+    // Returns the field dot(normal, position - origin), whose iso-surfaces are slices. `origin`: in world coordinates.
+    // `normal` has unit length.
     [[nodiscard]] ScalarField plane(std::size_t step, ciel::Vec3d origin, ciel::Vec3d normal);
 
     // The next three functions return positions as offsets from `origin`. `kept`: one flag per cell; if it is empty,

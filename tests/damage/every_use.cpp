@@ -93,6 +93,8 @@ void EveryUse::ask_methods() {
     };
     ask("dataset.describe", {{"dataset", name_}});
     ask("dataset.histogram", {{"dataset", name_}, {"array", "p"}, {"bins", 16}});
+    // This one reads the values; the one before has been computed at the import.
+    ask("dataset.histogram", {{"dataset", name_}, {"array", "p"}, {"bins", 16}, {"range", {0.25, 0.75}}});
     const json surface{{"dataset", name_}, {"layers", {{"a", {{"type", "surface"}, {"color", {{"array", "p"}}}}}}}};
     ask("surface.export", {{"scene", surface}, {"layer", "a"}, {"format", "vtp"}});
     ask("probe.point", {{"scene", surface}, {"position", place_inside(dataset_->info().meshes[0])}});

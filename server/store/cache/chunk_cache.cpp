@@ -10,7 +10,7 @@ std::shared_ptr<const CheckedFile> ChunkCache::get(const std::filesystem::path& 
     const std::lock_guard lock(of_file.mutex);
     std::shared_ptr<const CheckedFile> mapped = of_file.mapped.lock();
     if (mapped == nullptr) {
-        MappedFile again(file, bytes, any_lost_, 0, access_);
+        MappedFile again(file, bytes, losses_, 0, access_);
         again.expect_random_reads();
         if (of_file.version != again.version() || access_ == FileAccess::read) {
             of_file.stretches = std::make_shared<CheckedStretches>(bytes, checks());

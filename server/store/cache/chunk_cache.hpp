@@ -19,7 +19,7 @@ class ChunkCache {
 public:
     static constexpr std::size_t most_kept = 64;
 
-    ChunkCache(AnyLost any_lost, FileAccess access) : any_lost_(std::move(any_lost)), access_(access) {}
+    ChunkCache(LossCount losses, FileAccess access) : losses_(std::move(losses)), access_(access) {}
     // Returns the mapped `file`, which must have `bytes` bytes. Checks no stretch. Calls `checks` to get the checksums
     // of the stretches when the file is mapped for the first time or has changed. If the file was unmapped meanwhile,
     // stretches that were checked are not checked again, except with FileAccess::read. Throws Error when the file was
@@ -43,7 +43,7 @@ private:
     void keep(Entry& entry, const std::shared_ptr<const CheckedFile>& file);
     void for_each(const std::function<void(const CheckedFile&)>& visit) const;
 
-    AnyLost any_lost_;
+    LossCount losses_;
     FileAccess access_;
     mutable std::mutex mutex_; // guards the members below
     std::unordered_map<std::string, std::unique_ptr<Entry>> entries_;

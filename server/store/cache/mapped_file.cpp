@@ -39,9 +39,9 @@ FileVersion version_of(const struct stat& status) {
 
 } // namespace
 
-MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost, std::size_t tail,
+MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, LossCount losses, std::size_t tail,
                        FileAccess access)
-    : path_(std::move(file)), any_lost_(std::move(any_lost)) {
+    : path_(std::move(file)), losses_(std::move(losses)) {
     if (bytes == 0) return; // Zarr writes no chunk for an empty array
     Descriptor in(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (in.get() < 0) refuse_absent(path_);
@@ -65,7 +65,7 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost an
     }
     data_ = data;
     size_ = bytes;
-    watched_ = watch_mapping(data_, size_, *any_lost_);
+    watched_ = watch_mapping(data_, size_, *losses_);
 }
 
 MappedFile::~MappedFile() {
@@ -77,7 +77,7 @@ MappedFile::~MappedFile() {
 MappedFile::MappedFile(MappedFile&& other) noexcept
     : path_(std::move(other.path_)), data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
       mapped_(std::exchange(other.mapped_, 0)), in_(std::move(other.in_)), opened_(other.opened_), seen_(other.seen_),
-      any_lost_(std::move(other.any_lost_)), watched_(std::exchange(other.watched_, nullptr)) {}
+      losses_(std::move(other.losses_)), watched_(std::exchange(other.watched_, nullptr)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(path_, other.path_);
@@ -87,7 +87,7 @@ MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
     std::swap(in_, other.in_);
     std::swap(opened_, other.opened_);
     std::swap(seen_, other.seen_);
-    std::swap(any_lost_, other.any_lost_);
+    std::swap(losses_, other.losses_);
     std::swap(watched_, other.watched_);
     return *this;
 }

@@ -27,9 +27,10 @@ struct FileVersion {
     [[nodiscard]] bool operator==(const FileVersion&) const = default;
 };
 
-// A flag of a dataset. It becomes true when a mapping is lost, so that callers need not check the files one by one.
-using AnyLost = std::shared_ptr<std::atomic<bool>>;
-[[nodiscard]] inline AnyLost none_lost() { return std::make_shared<std::atomic<bool>>(false); }
+// Number of mappings that a dataset has lost so far. While it stays the same, callers need not check the files one by
+// one.
+using LossCount = std::shared_ptr<std::atomic<std::uint32_t>>;
+[[nodiscard]] inline LossCount no_losses() { return std::make_shared<std::atomic<std::uint32_t>>(0); }
 
 // Thread-safe, except for moves and was_touched.
 class MappedFile {
@@ -38,7 +39,7 @@ public:
     // Throws Error when `file` is missing, is not a regular file, or does not have `bytes` bytes. If `bytes` is 0,
     // opens no file. `tail`: number of zero bytes that can be read after the end of the file. FileAccess::read: the
     // memory has zeros until `load` copies parts of the file.
-    MappedFile(std::filesystem::path file, std::size_t bytes, AnyLost any_lost = none_lost(), std::size_t tail = 0,
+    MappedFile(std::filesystem::path file, std::size_t bytes, LossCount losses = no_losses(), std::size_t tail = 0,
                FileAccess access = FileAccess::mapped);
     ~MappedFile();
     MappedFile(const MappedFile&) = delete;
@@ -84,7 +85,7 @@ private:
     Descriptor in_;                     // the open file, with FileAccess::read only
     struct stat opened_ {};             // status of the file when it was opened
     struct stat seen_ {};               // status of the file at the last call of was_touched
-    AnyLost any_lost_;
+    LossCount losses_;
     WatchedMapping* watched_ = nullptr;
 };
 

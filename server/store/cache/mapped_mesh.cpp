@@ -85,9 +85,9 @@ void check_group(const Group& group, const MappedFile& file, std::uint64_t limit
 
 } // namespace
 
-MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost,
+MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& dataset_id, LossCount losses,
                        FileAccess access)
-    : directory_(std::move(directory)), dataset_id_(dataset_id), any_lost_(std::move(any_lost)) {
+    : directory_(std::move(directory)), dataset_id_(dataset_id), losses_(std::move(losses)) {
     const auto attributes = directory_ / layout::attributes_document;
     attributes_ = parse_mesh_attributes(read_text(attributes, layout::document_bytes), attributes);
     for (const char* name : layout::whole_arrays) map(name, type_of(name));
@@ -110,7 +110,7 @@ MappedMesh::MappedMesh(std::filesystem::path directory, const std::string& datas
     for (std::size_t i = 0; i < attributes_.groups.size(); ++i) map_group(i);
     std::error_code error;
     if (std::filesystem::exists(layout::block_index(directory_).parent_path(), error))
-        blocks_ = std::make_shared<const StoredBlocks>(directory_, dataset_id, any_lost_, access);
+        blocks_ = std::make_shared<const StoredBlocks>(directory_, dataset_id, losses_, access);
     else if (has_numbers())
         refuse_damage(layout::block_index(directory_).parent_path(), "is missing");
 }
@@ -153,7 +153,7 @@ void MappedMesh::map(const std::string& name, ElementType type) {
         refuse_damage(document,
                       std::string("declares a wrong type, number of dimensions or number of chunks for the array '") +
                           name + "'");
-    arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), any_lost_));
+    arrays_.emplace(name, MappedFile(layout::chunk(path, 0, 1), zarr.chunk_bytes(document), losses_));
     keepers_.emplace(std::piecewise_construct, std::forward_as_tuple(name), std::forward_as_tuple(*this, name));
     verified_[name];
 }

@@ -22,7 +22,7 @@ public:
     // Maps the arrays except positions and values, and reads the index of the blocks, but not the content of an array.
     // Throws Error that names the file when a file is missing, has a wrong size, or belongs to another dataset.
     // `access`: whether the records are mapped or copied.
-    MappedMesh(std::filesystem::path directory, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
+    MappedMesh(std::filesystem::path directory, const std::string& dataset_id, LossCount losses, FileAccess access);
 
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
     [[nodiscard]] const MeshAttributes& attributes() const { return attributes_; }
@@ -51,7 +51,8 @@ public:
     [[nodiscard]] ciel::FaceMeshView view_points(ciel::ValuesView positions) const;
     [[nodiscard]] ciel::FaceMeshView numbered_faces(ciel::FaceMeshView points) const;
     [[nodiscard]] ciel::FaceMeshView boundary(ciel::FaceMeshView points) const;
-    // The faces inside the mesh are made from the blocks, or, in format 1, read from the arrays.
+    // Returns `points` with all faces of the mesh. The faces inside the mesh are made from the blocks. In format 1,
+    // they are read from arrays.
     [[nodiscard]] ciel::FaceMeshView all_faces(ciel::FaceMeshView points) const;
     // Returns false for a mesh of an earlier version of CIEL, which stored no blocks.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
@@ -113,7 +114,7 @@ private:
 
     std::filesystem::path directory_;
     std::string dataset_id_;
-    AnyLost any_lost_;
+    LossCount losses_;
     std::mutex checking_; // held by check_unchanged, because two threads must not call was_touched at the same time
     MeshAttributes attributes_;
     std::uint64_t vertex_count_ = 0;

@@ -68,16 +68,16 @@ InputFile open_records(const std::filesystem::path& mesh, ciel::RecordKind kind,
 
 } // namespace
 
-StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost,
+StoredBlocks::StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, LossCount losses,
                            FileAccess access)
-    : dataset_id_(dataset_id), any_lost_(std::move(any_lost)), access_(access), index_(read_index(mesh, dataset_id)) {
+    : dataset_id_(dataset_id), losses_(std::move(losses)), access_(access), index_(read_index(mesh, dataset_id)) {
     for (std::size_t kind = 0; kind < record_kinds.size(); ++kind) {
         verified_[kind] = std::make_unique<std::atomic<std::uint8_t>[]>(block_count());
         for (std::size_t i = 0; i < index_.file_bytes[kind].size(); ++i) {
             const std::uint64_t bytes = index_.file_bytes[kind][i];
             auto file = std::make_unique<File>(open_records(mesh, record_kinds[kind], i, bytes));
             if (access_ == FileAccess::mapped) {
-                file->mapped = MappedFile(file->in.path(), bytes, any_lost_, tail_bytes);
+                file->mapped = MappedFile(file->in.path(), bytes, losses_, tail_bytes);
                 file->mapped.expect_random_reads();
             }
             files_[kind].push_back(std::move(file));
@@ -170,7 +170,7 @@ void StoredBlocks::check_intact() const {
 
 void StoredBlocks::lose(File& file) const {
     file.is_lost = true;
-    *any_lost_ = true;
+    ++*losses_;
     refuse_open_file(file.in.path(), "changed");
 }
 

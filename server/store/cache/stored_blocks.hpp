@@ -20,9 +20,9 @@ class StoredBlocks : public std::enable_shared_from_this<StoredBlocks> {
 public:
     // Reads the index of the mesh's blocks, but no record. Throws Error that names the file when a file is missing,
     // damaged, of a wrong size, of a newer format, or of another dataset.
-    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost, FileAccess access);
-    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, AnyLost any_lost = none_lost())
-        : StoredBlocks(mesh, dataset_id, std::move(any_lost), access_to(mesh)) {}
+    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, LossCount losses, FileAccess access);
+    StoredBlocks(const std::filesystem::path& mesh, const std::string& dataset_id, LossCount losses = no_losses())
+        : StoredBlocks(mesh, dataset_id, std::move(losses), access_to(mesh)) {}
 
     [[nodiscard]] ciel::Topology topology() const;
     // Returns a copy of a record. Throws Error that names the file when the record cannot be read or is damaged.
@@ -51,7 +51,7 @@ private:
     [[noreturn]] void lose(File& file) const;
 
     std::string dataset_id_;
-    AnyLost any_lost_;
+    LossCount losses_;
     FileAccess access_;
     BlockIndex index_;
     std::array<std::vector<std::unique_ptr<File>>, 3> files_; // by record kind, by number of the file

@@ -12,7 +12,7 @@ struct WatchedMapping {
     std::atomic<std::uintptr_t> begin{0};
     std::atomic<std::size_t> bytes{0};
     std::atomic<Loss> loss{Loss::none};
-    std::atomic<std::atomic<bool>*> any_lost{nullptr};
+    std::atomic<std::atomic<std::uint32_t>*> losses{nullptr};
     WatchedMapping* next = nullptr;
 };
 
@@ -23,7 +23,7 @@ std::atomic<std::size_t> lost_count{0};
 std::mutex changing;
 struct sigaction previous {};
 
-static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<std::uint32_t>::is_always_lock_free &&
               std::atomic<Loss>::is_always_lock_free);
 
 // Reads `begin` twice, because another thread may give the node to another mapping meanwhile.
@@ -70,13 +70,13 @@ WatchedMapping* free_node() {
 
 } // namespace
 
-WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<bool>& any_lost) {
+WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<std::uint32_t>& losses) {
     static std::once_flag installed;
     std::call_once(installed, install_handler);
     const std::lock_guard lock(changing);
     WatchedMapping* node = free_node();
     node->loss = Loss::none;
-    node->any_lost = &any_lost;
+    node->losses = &losses;
     node->bytes = bytes;
     node->begin = reinterpret_cast<std::uintptr_t>(data);
     return node;
@@ -92,8 +92,9 @@ Loss loss_of(const WatchedMapping& mapping) { return mapping.loss; }
 
 void note_loss(WatchedMapping& mapping, Loss loss) {
     Loss none = Loss::none;
-    if (mapping.loss.compare_exchange_strong(none, loss)) ++lost_count;
-    *mapping.any_lost.load() = true;
+    if (!mapping.loss.compare_exchange_strong(none, loss)) return;
+    ++lost_count;
+    ++*mapping.losses.load();
 }
 
 std::size_t lost_mapping_count() { return lost_count; }

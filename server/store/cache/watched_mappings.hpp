@@ -13,9 +13,9 @@ struct WatchedMapping;
 enum class Loss { none, shrunk, changed };
 
 // Watches the mapping [data, data + bytes). The first call installs the SIGBUS handler. If the address of a SIGBUS is
-// in no watched mapping, the previous handler gets the signal. `any_lost` is set when the mapping is lost, and must
-// exist until unwatch_mapping. Call unwatch_mapping before munmap. Thread-safe.
-[[nodiscard]] WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<bool>& any_lost);
+// in no watched mapping, the previous handler gets the signal. `losses` is incremented when the mapping is lost, and
+// must exist until unwatch_mapping. Call unwatch_mapping before munmap. Thread-safe.
+[[nodiscard]] WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<std::uint32_t>& losses);
 void unwatch_mapping(WatchedMapping* mapping);
 [[nodiscard]] Loss loss_of(const WatchedMapping& mapping);
 void note_loss(WatchedMapping& mapping, Loss loss); // marks the mapping as lost; the first loss is kept

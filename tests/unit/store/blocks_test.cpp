@@ -83,7 +83,7 @@ class BlocksBy : public testing::TestWithParam<FileAccess> {
 protected:
     const test::Folder scratch;
     [[nodiscard]] std::shared_ptr<const StoredBlocks> open() const {
-        return std::make_shared<const StoredBlocks>(scratch.path(), id, none_lost(), GetParam());
+        return std::make_shared<const StoredBlocks>(scratch.path(), id, no_losses(), GetParam());
     }
 };
 
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Access, BlocksBy, testing::Values(FileAccess::mapped, F
 TEST(Blocks, CanBeReadBeyondTheirEnd) {
     const test::Folder scratch;
     write_cells_of_all_kinds(scratch);
-    const auto blocks = std::make_shared<const StoredBlocks>(scratch.path(), id, none_lost(), FileAccess::mapped);
+    const auto blocks = std::make_shared<const StoredBlocks>(scratch.path(), id, no_losses(), FileAccess::mapped);
     for (const RecordKind kind : record_kinds) {
         std::span<const std::byte> last; // in the file, whose order is not that of the blocks
         for (Index block = 0; block < blocks->block_count(); ++block)
