@@ -27,7 +27,7 @@ export default tseslint.config(
             name,
             importNames: ["effect", "useSignalEffect"],
             message:
-              "Only panels react to signals, by rendering. Other code is called where the scene changes (Server.sceneChanged).",
+              "Only panels and the view react to signals, by drawing. Other code is called where the scene changes (Server.sceneChanged).",
           })),
         },
       ],

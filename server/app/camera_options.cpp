@@ -40,7 +40,7 @@ void CameraOptions::add_to(CLI::App& command) {
                     "Vertical field of view, 30 by default. A larger angle gives a stronger perspective.")
         ->type_name("DEGREES");
     command.add_flag("--parallel", parallel,
-                     "Parallel projection, as high as the perspective view at the target of the camera.");
+                     "Parallel projection. Its height is that of the perspective view at the camera's target.");
 }
 
 void CameraOptions::apply(nlohmann::json& document) const {

@@ -51,8 +51,8 @@ Table preprocessing_table(const Case& data) {
     construction.note = std::to_string(static_cast<std::uint64_t>(
                             static_cast<double>(data.topology->counts().half_edges) / construction.wall.median)) +
                         " half-edges/s";
-    add("make a field current", [&] { const ciel::Field field = field_of(data, data.values); });
-    add("the same, its values taken in by all blocks", [&] {
+    add("make a field", [&] { const ciel::Field field = field_of(data, data.values); });
+    add("make a field and copy its values into block order", [&] {
         const ciel::Field field = field_of(data, data.values);
         field.take_in();
     });

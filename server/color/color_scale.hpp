@@ -47,7 +47,8 @@ inline constexpr double linear_share = 1e-3;
 // Returns the colors at `count` evenly spaced positions from the lower to the upper end, for a texture or the bar of a
 // legend. On a scale with steps, each color is the color of the step at this position. Throws Error for an unknown map.
 [[nodiscard]] std::vector<Rgb8> colors_along(const ColorScale& scale, int count);
-// Returns one color per step. For a smooth scale, returns `smooth_count` colors to interpolate.
+// Returns one color per step. For a smooth scale, returns `smooth_count` colors to interpolate. Throws Error for an
+// unknown map.
 [[nodiscard]] std::vector<Rgb8> color_row(const ColorScale& scale, int smooth_count);
 
 // Returns 0 at the lower end and 1 at the upper end; below 0 or above 1 outside the range; NaN for NaN. On a log scale
@@ -55,6 +56,7 @@ inline constexpr double linear_share = 1e-3;
 [[nodiscard]] double place_of(const ColorScale& scale, double value);
 // Returns the value at a position: the inverse of place_of.
 [[nodiscard]] double value_at(const ColorScale& scale, double place);
+// Returns the color of missing values for NaN and infinities. Throws Error for an unknown map.
 [[nodiscard]] Rgb8 color_of(const ColorScale& scale, double value);
 
 // Values from `low` to `high` are treated as inside the range. The limits allow for the rounding of interpolated

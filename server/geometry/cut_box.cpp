@@ -1,5 +1,6 @@
 #include "geometry/cut_box.hpp"
 
+#include "ciel/vectors.hpp"
 #include "geometry/clip_planes.hpp"
 
 #include <algorithm>
@@ -10,13 +11,10 @@ namespace server::geometry {
 namespace {
 
 std::optional<ciel::Vec3d> meet(const ciel::HalfSpace& a, const ciel::HalfSpace& b, const ciel::HalfSpace& c) {
-    const auto cross = [](const ciel::Vec3d& u, const ciel::Vec3d& v) {
-        return ciel::Vec3d{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-    };
-    const ciel::Vec3d bc = cross(b.normal, c.normal);
-    const ciel::Vec3d ca = cross(c.normal, a.normal);
-    const ciel::Vec3d ab = cross(a.normal, b.normal);
-    const double volume = a.normal[0] * bc[0] + a.normal[1] * bc[1] + a.normal[2] * bc[2];
+    const ciel::Vec3d bc = ciel::cross(b.normal, c.normal);
+    const ciel::Vec3d ca = ciel::cross(c.normal, a.normal);
+    const ciel::Vec3d ab = ciel::cross(a.normal, b.normal);
+    const double volume = ciel::dot(a.normal, bc);
     if (!(std::abs(volume) > 1e-9)) return {};
     ciel::Vec3d point{};
     for (std::size_t k = 0; k < 3; ++k) point[k] = -(a.offset * bc[k] + b.offset * ca[k] + c.offset * ab[k]) / volume;

@@ -93,7 +93,8 @@ struct Geometry {
     double time = 0;                           // of the step shown
     std::size_t step = 0;
     std::string length_units; // empty if not known
-    std::size_t triangles = 0, bytes = 0;
+    std::size_t triangles = 0;
+    std::size_t bytes = 0; // size of the surfaces and of what SceneGeometry keeps for the next scene
     // One sentence per layer that is left out or uncolored because its array has no usable values at this step.
     std::vector<std::string> lacking;
     std::string awaited; // why a layer waits for arrays that are being read from the source; empty: no layer waits

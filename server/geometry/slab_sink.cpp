@@ -147,9 +147,8 @@ SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property)
     const auto has_entry = [&](const ciel::EdgePoint& point) { return point.a < vertices; };
     const auto has_cell = [&](ciel::Index cell) { return cell < property.topology.counts().cells; };
     if (!std::ranges::all_of(faces.points, has_entry) || !std::ranges::all_of(faces.polygon_cell, has_cell))
-        ciel::fail(
-            "a vertex or a cell of a volume's boundary has no entry in the property; pass the boundary of the mesh on "
-            "which the property lies");
+        ciel::fail("the property has no value for a vertex or a cell of the boundary; pass the boundary of the mesh on "
+                   "which the property lies");
     SlabMesh out;
     out.vertices.reserve(faces.points.size() + faces.polygon_cell.size() / 2);
     for (std::size_t i = 0; i < faces.points.size(); ++i) {

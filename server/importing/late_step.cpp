@@ -18,7 +18,8 @@ constexpr std::chrono::milliseconds pause_when_read{200};
 std::string read_late_step(const store::Dataset& dataset, std::size_t step, const std::filesystem::path& folder,
                            const std::atomic<bool>& cancel) {
     try {
-        if (dataset.late_chunks(step).empty()) { // another process has read it; the views may be told too early
+        // Another process has read the step. The views would otherwise be told before this process has noticed.
+        if (dataset.late_chunks(step).empty()) {
             std::this_thread::sleep_for(pause_when_read);
             return {};
         }

@@ -10,7 +10,7 @@
 namespace server::probe {
 
 struct Probed {
-    ciel::Vec3d position{};
+    ciel::Vec3d position{};                                 // world coordinates, as given to probe()
     ciel::Index cell = ciel::none, vertex = ciel::none;     // ids of the imported file; `none` outside the mesh
     std::optional<std::int64_t> solver_cell, solver_vertex; // ids of the solver, if the imported file has them
     std::map<std::string, std::optional<double>> values; // by scalar; nullopt if not written at this step or not finite

@@ -82,7 +82,7 @@ void Painter::draw_depth_of_overlays(const Frame& frame) {
 }
 
 void Painter::peel_transparent(const Frame& frame) {
-    DepthPeeling::Scene layers;
+    DepthPeeling::Picture layers;
     layers.width = frame.width;
     layers.height = frame.height;
     layers.samples = frame.samples;

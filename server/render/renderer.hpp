@@ -40,7 +40,8 @@ public:
     const Image& draw(const Frame& frame, const AfterStage& after = {});
     // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const;
-    // x and y are counted from the top left. Returns false if there is no primitive at this pixel.
+    // Sets `position`, in world coordinates, to what the last picture shows at a pixel. x and y are counted from the
+    // top left. Returns false if there is no primitive at this pixel.
     bool pick(int x, int y, ciel::Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
     [[nodiscard]] const std::string& gl_version() const;

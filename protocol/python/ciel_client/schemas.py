@@ -262,7 +262,7 @@ class ArrayInfo(TypedDict):
     stored: Literal["float32", "float64"]  # Type of the numbers in the dataset. float32 if it holds all numbers of the file's type, else float64. float64 also for integers of 32 and 64 bits.
     file: NotRequired[str]  # Imported file in which the array was found first. Absent if not known.
     invalid: int  # Number of NaN and infinite values, at all steps together.
-    missing: int  # Number of missing values, at all steps together: in blocks that have no such array, and in parts that could not be read.
+    missing: int  # Number of missing values, at all steps together: in input grids that have no such array, and in pieces of files that could not be read.
     extremes: NotRequired[CellExtremes]  # Cells with the lowest and the highest value over all steps. Present for arrays on cells and for point arrays that were made from them, if the cells are known.
 
 

@@ -81,12 +81,12 @@ void DepthPeeling::attach(GLuint framebuffer, GLuint color, GLuint depth) const 
             "the GL driver cannot draw transparent surfaces in a picture of this size; ask for a smaller picture");
 }
 
-void DepthPeeling::resize(const Scene& scene) {
-    const int factor = has_finer_layers(scene.width, scene.height, scene.samples) ? 2 : 1;
-    if (width_ == scene.width && height_ == scene.height && factor_ == factor) return;
+void DepthPeeling::resize(const Picture& picture) {
+    const int factor = has_finer_layers(picture.width, picture.height, picture.samples) ? 2 : 1;
+    if (width_ == picture.width && height_ == picture.height && factor_ == factor) return;
     factor_ = 0; // if this call throws, the next call allocates again
-    width_ = scene.width;
-    height_ = scene.height;
+    width_ = picture.width;
+    height_ = picture.height;
     allocate(opaque_, GL_DEPTH_COMPONENT24, width_, height_);
     attach(opaque_framebuffer_, 0, opaque_);
     allocate(color_, GL_RGBA16F, factor * width_, factor * height_);
@@ -143,10 +143,10 @@ void DepthPeeling::cover() const {
     gl_.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void DepthPeeling::draw(const Scene& scene, Target& target) {
-    resize(scene);
-    record(static_cast<bool>(scene.join_lines));
-    const GLuint opaque = find_opaque(scene, target);
+void DepthPeeling::draw(const Picture& picture, Target& target) {
+    resize(picture);
+    record(static_cast<bool>(picture.join_lines));
+    const GLuint opaque = find_opaque(picture, target);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.BindFramebuffer(GL_FRAMEBUFFER, sum_framebuffer_);
     gl_.ClearColor(0, 0, 0, 1);
@@ -158,44 +158,44 @@ void DepthPeeling::draw(const Scene& scene, Target& target) {
     gl_.ClearDepth(1);
 
     const auto volumes = [&](GLuint depth, GLuint color) {
-        return scene.volumes ? scene.volumes(depth, color) : nothing_;
+        return picture.volumes ? picture.volumes(depth, color) : nothing_;
     };
     GLuint in_front = nothing_;
     was_cut_ = false;
-    for (int i = 0; i <= scene.most_layers; ++i) {
+    for (int i = 0; i <= picture.most_layers; ++i) {
         const Layer& layer = layers_[i % 2];
         next_pass(gl_);
-        const bool any = draw_layer(scene, opaque, layer, layers_[(i + 1) % 2]);
-        if (scene.draw_between) add_between(scene, layer);
+        const bool any = draw_layer(picture, opaque, layer, layers_[(i + 1) % 2]);
+        if (picture.draw_between) add_between(picture, layer);
         if (!any) break;
-        was_cut_ = i == scene.most_layers; // this layer is only drawn to find out whether layers are dropped
+        was_cut_ = i == picture.most_layers; // this layer is only drawn to find out whether layers are dropped
         if (was_cut_) break;
-        if (has_volumes_of_its_own(i, scene.dense)) in_front = volumes(layer.depth, color_);
+        if (has_volumes_of_its_own(i, picture.dense)) in_front = volumes(layer.depth, color_);
         add_to_sum(layer, in_front);
     }
-    put_on(scene, target, volumes(0, 0));
+    put_on(picture, target, volumes(0, 0));
 }
 
 // The samples of a multisampled target are not in the middles of layer pixels, so the depths are drawn there.
-GLuint DepthPeeling::find_opaque(const Scene& scene, Target& target) {
-    if (scene.samples == 1) {
+GLuint DepthPeeling::find_opaque(const Picture& picture, Target& target) {
+    if (picture.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
         return opaque_;
     }
-    if (factor_ == 1 && scene.outlines != 0) return scene.outlines;
+    if (factor_ == 1 && picture.outlines != 0) return picture.outlines;
     fine_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.Enable(GL_DEPTH_TEST);
     gl_.DepthMask(GL_TRUE);
-    scene.draw_opaque();
-    return scene.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(scene);
+    picture.draw_opaque();
+    return picture.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(picture);
 }
 
 // All layer pixels of a picture pixel must be on the same side of an outline, as draw_per_sample() requires.
-GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
+GLuint DepthPeeling::keep_to_outlines(const Picture& picture) {
     kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.DepthFunc(GL_ALWAYS);
     bind(gl_, opaque_unit, fine_opaque_.texture());
-    bind(gl_, nearer_unit, scene.outlines);
+    bind(gl_, nearer_unit, picture.outlines);
     keep_to_outlines_.use();
     keep_to_outlines_.set("opaque", int{opaque_unit});
     keep_to_outlines_.set("middles", int{nearer_unit});
@@ -205,7 +205,7 @@ GLuint DepthPeeling::keep_to_outlines(const Scene& scene) {
 }
 
 // Draws the layer behind `nearer`. Returns false if this layer is empty.
-bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const {
+bool DepthPeeling::draw_layer(const Picture& picture, GLuint opaque, const Layer& layer, const Layer& nearer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, layer.framebuffer);
     gl_.Viewport(0, 0, factor_ * width_, factor_ * height_);
     gl_.Disable(GL_BLEND);
@@ -228,23 +228,23 @@ bool DepthPeeling::draw_layer(const Scene& scene, GLuint opaque, const Layer& la
     if (recorded_) bind(gl_, lines_unit, nearer.record);
     bind(gl_, own_lines_unit, 0); // unbinds the record of this layer, which is attached to the framebuffer
     AnySamples drawn(gl_, query_);
-    scene.draw_surfaces();
+    picture.draw_surfaces();
     const bool any = drawn.passed();
     gl_.DepthFunc(GL_LEQUAL);
     gl_.Enable(GL_BLEND);
     if (any && recorded_) {
         bind(gl_, behind_unit, opaque);
-        join_lines(scene, layer);
+        join_lines(picture, layer);
     }
     return any;
 }
 
-void DepthPeeling::join_lines(const Scene& scene, const Layer& layer) const {
+void DepthPeeling::join_lines(const Picture& picture, const Layer& layer) const {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, color_framebuffer_);
     gl_.BlendEquationSeparate(GL_FUNC_ADD, GL_MAX);
     gl_.BlendFuncSeparate(GL_ZERO, GL_ONE, GL_ONE, GL_ONE);
     bind(gl_, own_lines_unit, layer.record);
-    scene.join_lines();
+    picture.join_lines();
     gl_.BlendEquation(GL_FUNC_ADD);
 }
 
@@ -256,10 +256,10 @@ void DepthPeeling::begin_sum() const {
 }
 
 // The depth texture of the previous layer is still bound to nearer_unit.
-void DepthPeeling::add_between(const Scene& scene, const Layer& layer) const {
+void DepthPeeling::add_between(const Picture& picture, const Layer& layer) const {
     begin_sum();
     bind(gl_, farther_unit, layer.depth);
-    scene.draw_between();
+    picture.draw_between();
 }
 
 void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
@@ -275,8 +275,8 @@ void DepthPeeling::add_to_sum(const Layer& layer, GLuint volumes) const {
     cover();
 }
 
-void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) const {
-    const bool per_sample = scene.samples > 1 && scene.outlines != 0;
+void DepthPeeling::put_on(const Picture& picture, Target& target, GLuint volumes) const {
+    const bool per_sample = picture.samples > 1 && picture.outlines != 0;
     target.bind_again();
     gl_.Disable(GL_DEPTH_TEST);
     gl_.BlendFuncSeparate(GL_ONE, GL_SRC_ALPHA, GL_ZERO, GL_ONE);
@@ -288,7 +288,7 @@ void DepthPeeling::put_on(const Scene& scene, Target& target, GLuint volumes) co
     program.set("volumes", int{volumes_unit});
     program.set("viewport", glm::vec2(width_, height_));
     if (per_sample)
-        draw_per_sample(gl_, program, {scene.outlines, opaque_unit}, [this] { cover(); });
+        draw_per_sample(gl_, program, {picture.outlines, opaque_unit}, [this] { cover(); });
     else
         cover();
     gl_.BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);

@@ -22,7 +22,7 @@ public:
     DepthPeeling(const DepthPeeling&) = delete;
     DepthPeeling& operator=(const DepthPeeling&) = delete;
 
-    struct Scene {
+    struct Picture {
         int width = 0, height = 0; // size of the picture in pixels
         int samples = 1;           // samples per pixel of the picture; see has_finer_layers()
         // Draws the transparent lines of a layer again, after set_nearer(program, true). Empty without such lines.
@@ -49,13 +49,13 @@ public:
     [[nodiscard]] const Program& points() const { return programs().points; }
     // The program of points between layers; `on_surfaces`: the points may lie on surfaces.
     [[nodiscard]] const Program& between(bool on_surfaces) const { return on_surfaces ? between_ : free_between_; }
-    // `program`: a peeling program, in use. `joining`: the call is for Scene::join_lines.
+    // `program`: a peeling program, in use. `joining`: the call is for Picture::join_lines.
     void set_nearer(const Program& program, bool joining) const;
     // Layer pixels per picture pixel along a side; valid in the callbacks of draw().
     [[nodiscard]] int layer_pixels() const { return factor_; }
     // Draws over the opaque surfaces of the target. Leaves depth test and blending on. Throws Error if the GL cannot
     // draw layers of this size. Afterwards was_cut() returns whether visible layers were dropped.
-    void draw(const Scene& scene, Target& target);
+    void draw(const Picture& picture, Target& target);
     [[nodiscard]] bool was_cut() const { return was_cut_; }
 
 private:
@@ -68,17 +68,17 @@ private:
     };
     [[nodiscard]] const Programs& programs() const { return recorded_ ? recorded_programs_ : programs_; }
     void record(bool on);
-    void resize(const Scene& scene);
+    void resize(const Picture& picture);
     void allocate(GLuint texture, GLint format, int width, int height) const;
     void attach(GLuint framebuffer, GLuint color, GLuint depth) const;
-    [[nodiscard]] GLuint find_opaque(const Scene& scene, Target& target);
-    [[nodiscard]] GLuint keep_to_outlines(const Scene& scene);
-    [[nodiscard]] bool draw_layer(const Scene& scene, GLuint opaque, const Layer& layer, const Layer& nearer) const;
-    void join_lines(const Scene& scene, const Layer& layer) const;
+    [[nodiscard]] GLuint find_opaque(const Picture& picture, Target& target);
+    [[nodiscard]] GLuint keep_to_outlines(const Picture& picture);
+    [[nodiscard]] bool draw_layer(const Picture& picture, GLuint opaque, const Layer& layer, const Layer& nearer) const;
+    void join_lines(const Picture& picture, const Layer& layer) const;
     void begin_sum() const;
-    void add_between(const Scene& scene, const Layer& layer) const;
+    void add_between(const Picture& picture, const Layer& layer) const;
     void add_to_sum(const Layer& layer, GLuint volumes) const;
-    void put_on(const Scene& scene, Target& target, GLuint volumes) const;
+    void put_on(const Picture& picture, Target& target, GLuint volumes) const;
     void cover() const;
 
     const Gl& gl_;

@@ -24,8 +24,9 @@ struct SlabProgramKind {
     auto operator<=>(const SlabProgramKind&) const = default; // NOLINT(modernize-use-nullptr): mistakes <=> for 0
 };
 [[nodiscard]] ShaderProgram make_slice_program(const Gl& gl, const SlabProgramKind& kind);
-// For inner triangles (inner_polygons.hpp). Around an inner triangle, the slab has no boundary face, clip plane, opaque
-// surface or eye. `kind` must have one part and no clipping.
+// Makes the program for inner triangles (inner_polygons.hpp). Near an inner triangle, the slab has no boundary face,
+// clip plane or opaque surface, and the eye is not there either; the program tests for none of them. REQUIRES: `kind`
+// has one part of the mesh along a ray, and no clipping.
 [[nodiscard]] ShaderProgram make_inner_program(const Gl& gl, const SlabProgramKind& kind);
 [[nodiscard]] ShaderProgram make_edge_program(const Gl& gl, const SlabProgramKind& kind);
 

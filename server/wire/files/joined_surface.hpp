@@ -5,9 +5,9 @@
 
 namespace server::wire {
 
-// Owns the joined arrays. Vertices of one added surface that lie on the same mesh vertex are merged if their values are
-// equal. Normals are kept only if all added surfaces have normals. Values of a name are kept only if all added surfaces
-// have values of this name.
+// Joins surfaces, and owns the joined arrays. Vertices of one added surface that lie on the same mesh vertex are merged
+// if their values are equal. Normals are kept only if all added surfaces have normals. A named array of values is
+// kept only if all added surfaces have an array of that name.
 class JoinedSurface {
 public:
     // Adds a surface. Each of `values` has one value per vertex of `surface`. `places`: as in ExportSurface.

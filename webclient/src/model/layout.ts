@@ -1,4 +1,5 @@
-// The server's layout of annotations and numbers, for panels. Panels may import only model and commands.
+// Exports again, for panels, the server's functions that lay out annotations and write numbers as text. Panels may
+// import only model and commands.
 export { labelOn } from "../wasm/color_labels";
 export { legendTitle } from "../wasm/legend_names";
 export { numberAlone, prettyUnits } from "../wasm/numbers_as_text";

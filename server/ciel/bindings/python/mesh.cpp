@@ -101,10 +101,11 @@ void add_mesh(py::module_& module) {
         .def_property_readonly(
             "block_count", [](const Mesh& mesh) { return mesh.topology().block_count(); },
             "Number of blocks of the mesh, for the option `blocks`.")
-        .def_property_readonly("report", &report_of,
-                               "How the input was changed: bad_cells {reason: (count, first ids)}, reversed_cells,\n"
-                               "inverted_cells, unmatched_faces, skipped_cells (cells without volume), reduced_cells\n"
-                               "(quadratic cells, reduced to their corners), bytes_copied.");
+        .def_property_readonly(
+            "report", &report_of,
+            "How the input was changed: bad_cells {reason: (count, first ids)}, reversed_cells,\n"
+            "inverted_cells, unmatched_faces, skipped_cells (cells without volume), reduced_cells\n"
+            "(quadratic cells, reduced to their corners), bytes_copied (lists made to build the mesh).");
 }
 
 } // namespace ciel::python

@@ -1,5 +1,5 @@
-// Computes centers and areas of faces. Not in the paper. All functions: any thread. The caller
-// must have loaded the positions (FaceMeshView::loader).
+// Reads the vertices and cells of faces, and computes their centers and areas. Not in the paper. All functions: any
+// thread. For functions that read positions, the caller must have loaded these (FaceMeshView::loader).
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -22,7 +22,7 @@ namespace ciel {
 }
 
 // Sets `loop` to the vertex ids of a face. Reads each id once, because another process may change a mapped file at any
-// time. Throws Error when an index is out of range; so do the functions below.
+// time. read_loop and read_cells throw Error when an index that they read is out of range. REQUIRES: the face exists.
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop);
 
 struct FaceCells {

@@ -30,10 +30,11 @@ public:
 
     // Returns the weights of the cell's vertices at a position in the cell. For each edge of each face, the cell has
     // one tetrahedron: the two ends of the edge, the centroid of the face and the center of the cell. The weights are
-    // linear in each tetrahedron, so that they are exact for linear fields. A vertex may be listed more than once.
+    // linear in each tetrahedron, so that they are exact for linear fields. A vertex may be listed more than once. In a
+    // bent cell, weights may be below 0. Throws Error when the cell does not exist.
     [[nodiscard]] VertexWeights weights_in(Index cell, const Vec3d& position) const;
 
-    // Returns the vertex of the cell that is nearest to `position`.
+    // Returns the vertex of the cell that is nearest to `position`. Throws Error when the cell does not exist.
     [[nodiscard]] Index nearest_vertex(Index cell, const Vec3d& position) const;
 
 private:

@@ -7,7 +7,8 @@
 
 namespace ciel {
 
-// The positions p with dot(normal, p) + offset >= 0.
+// The positions p with dot(normal, p) + offset >= 0. `normal` may have any length except 0; `offset` is a length if it
+// is 1.
 struct HalfSpace {
     Vec3d normal{};
     double offset = 0;

@@ -1,6 +1,8 @@
 // Iso-surfaces and slices of a mesh (paper, algorithms 1 to 4): functions for single surfaces, and the incremental
-// class Contour for sliders. Ids of cells and points in the results are the caller's ids. Any thread may call the
+// class Contour for sliders. Ids of cells and points in the results are the caller's ids. Positions of surfaces are
+// float offsets from Mesh::stored().surface_origin; interpolate() gives them as doubles. Any thread may call the
 // functions. They use all threads of parallel_for, unless Options::threads or with_threads (parallel.hpp) sets a limit.
+// They throw Error when a block of Options::blocks does not exist.
 #pragma once
 
 #include "ciel/clip_surface.hpp"
@@ -40,9 +42,11 @@ public:
     // field, or a mesh made from that mesh with Mesh::moved; throws Error for any other mesh. The topology is reused.
     void set(const Field& field);
     // Writes the surface at `level` to `out` and reuses the buffers of `out`. A point is high when value >= level.
-    // Returns false when `stop` was requested; `out` is then unspecified, and the Contour stays usable.
+    // Returns false when `stop` was requested; `out` is then unspecified, and the Contour stays usable. Throws Error
+    // when a stored record, value or position cannot be read.
     bool at(double level, Surface& out, const StopToken& stop = {});
 
+    // Returns the size in bytes of what is kept for the next level, without the mesh, the field and its gradients.
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
@@ -57,8 +61,8 @@ private:
                                            const Options& options = {});
 
 // Returns the cut through the mesh by the plane that contains `origin` and is perpendicular to `normal` (paper, section
-// 2.1). The normals of the polygons have the direction of `normal`, which may have any length. Throws Error when the
-// length is zero or not finite.
+// 2.1). `origin`: in the coordinates of the caller's points. The normals of the polygons have the direction of
+// `normal`, which may have any length. Throws Error when the length is zero or not finite.
 [[nodiscard]] Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const Options& options = {});
 
 // Cuts the mesh at all levels in one pass over the blocks, without making a Surface. Calls `on_cut` with the cut of
@@ -74,8 +78,9 @@ bool sweep(const Mesh& mesh, const ArrayView& values, std::span<const double> le
 // Returns the part of a surface of `mesh` inside all half-spaces. `planes`: in the caller's coordinates. `values`: one
 // for each point of the mesh, or empty; the result has the values interpolated at its vertices. `slack`: points at most
 // this far outside a plane are kept, so that rounding does not tear a surface that lies in the plane; in the unit of
-// HalfSpace::offset. New vertices of the result lie on no edge of the mesh. Therefore interpolate, and clip with
-// `values`, throw Error for a clipped surface. Throws Error when `values` has a wrong size.
+// HalfSpace::offset, which is a length if the normal has length 1. New vertices of the result lie on no edge of the
+// mesh. Therefore interpolate, and clip with `values`, throw Error for a clipped surface. Throws Error when `values`
+// has a wrong size.
 [[nodiscard]] ClippedSurface clip(const Surface& surface, const Mesh& mesh, const ArrayView& values,
                                   std::span<const HalfSpace> planes, double slack = 0);
 
@@ -87,9 +92,9 @@ bool sweep(const Mesh& mesh, const ArrayView& values, std::span<const double> le
 [[nodiscard]] std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values,
                                               bool of_cells = false);
 
-// Returns the least-squares gradient at each point of the mesh, in the caller's order (paper, section 3). `values`: one
-// for each point. The gradient at a point is zero if no cell around the point has both a volume and finite values at
-// all corners. Throws Error when `values` has another size.
+// Returns the least-squares gradient at each point of the mesh, in the caller's order (paper, section 3), in units of
+// the values per unit of length. `values`: one for each point. The gradient at a point is zero if no cell around the
+// point has both a volume and finite values at all corners. Throws Error when `values` has another size.
 [[nodiscard]] std::vector<Vec3f> gradients(const Mesh& mesh, const ArrayView& values);
 
 // Returns the boundary of the selected cells, wound outwards. `range`: [min, max], both included. `values`: with

@@ -101,10 +101,10 @@ public:
     // does.
     void set_mesh(const FaceMeshView& mesh);
 
-    // Limits the next extractions to some blocks, in any order; nullopt: all blocks (the default). The surface then has
-    // only the polygons in these blocks and the points of these polygons, with the same bits as in the surface of all
-    // blocks. Exception: normals from polygons may differ, because polygons of other blocks are not summed. If no
-    // normals are requested, only the cell records of these blocks are read, unless the algorithm is propagation.
+    // Limits the next extractions to these blocks, in any order; nullopt: all blocks (the default). The surface then
+    // has only the polygons in these blocks, and their points. Each has the same bits as in the surface of all blocks.
+    // Exception: normals from polygons may differ, because polygons of other blocks are not summed. Without normals,
+    // only the cell records of these blocks are read. The propagation algorithm may read others too.
     // Throws Error when a block does not exist.
     void set_blocks(std::optional<std::span<const Index>> blocks);
 
@@ -128,6 +128,7 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
                     const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop = {});
 
 // Interpolates an array at each point of a surface. `values`: `components` numbers for each mesh vertex, interleaved.
+// REQUIRES: `values` has the vertices that `points` name.
 // `out` gets `components` numbers for each point. Throws Error when `out` has another size, or when components < 1.
 // Uses all threads of parallel_for.
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,

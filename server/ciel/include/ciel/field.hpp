@@ -30,14 +30,15 @@ public:
     // around the point (point_interpolation.hpp). The mean is exact for linear fields if the cells surround the point.
     // Not in the paper, whose values are at points. Throws Error when `values` has another size.
     [[nodiscard]] static Field from_cells(const Mesh& mesh, const ArrayView& values);
-    // Makes the signed distance from a plane: positive on the side of `normal`, zero at `origin`. `normal` must have
-    // unit length. The iso-surface at 0 is a slice. The values are doubles if the positions are doubles, else floats.
+    // Makes the signed distance from a plane: positive on the side of `normal`, zero at `origin`, which is in the
+    // coordinates of the caller's points. REQUIRES: `normal` has unit length. The iso-surface at 0 is a slice. The
+    // values are doubles if the positions are doubles, else floats. Uses all threads of parallel_for.
     [[nodiscard]] static Field plane(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal);
     // Makes the signed distance from a plane on the vertices of a topology. Computes the distances in a block when the
-    // block is first cut, so that a plane that crosses few blocks costs little. `points`: the positions of the
-    // vertices; the faces are not used. `boxes`: the result of block_boxes for these positions. Throws Error when
-    // `points` has no owner, and when the topology, the points and the boxes differ in their numbers of vertices or
-    // blocks.
+    // block is first cut, so that a plane that crosses few blocks costs little. `origin`: in world coordinates, that
+    // is, position + points.origin. REQUIRES: `normal` has unit length. `points`: the positions of the vertices; the
+    // faces are not used. `boxes`: the result of block_boxes for these positions. Throws Error when `points` has no
+    // owner, and when the topology, the points and the boxes differ in their numbers of vertices or blocks.
     [[nodiscard]] static Field plane(const Topology& topology, const FaceMeshView& points, const Vec3d& origin,
                                      const Vec3d& normal, const BlockBoxes& boxes);
     // Makes a field from one value for each vertex, in the topology's vertex order. Does not copy the values.
@@ -99,9 +100,10 @@ private:
 // coordinates. An iso-surface of the result is a slice (paper, section 2.1). Uses all threads of parallel_for.
 [[nodiscard]] std::vector<float> plane_distance(const FaceMeshView& mesh, Vec3d origin, Vec3d normal);
 
-// Returns the gradient at each vertex: the mean of the least-squares gradients of the cells around the vertex, weighted
-// by cell volume (paper, section 3). The gradient is zero if no cell around the vertex has both a volume and finite
-// values at all vertices. Throws Error when `values` has another size. Uses all threads of parallel_for.
+// Returns the gradient at each vertex, in units of the values per unit of length: the mean of the least-squares
+// gradients of the cells around the vertex, weighted by cell volume (paper, section 3). The gradient is zero if no cell
+// around the vertex has both a volume and finite values at all vertices. Throws Error when `values` has another size.
+// Uses all threads of parallel_for.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const FaceMeshView& mesh, ValuesView values);
 // Returns the same gradients. Faster, because no topology needs to be built.
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh,

@@ -27,7 +27,8 @@ public:
         // neighboring vertices may round to the same float.
         double largest_distance = 0;
     };
-    // `topology` must be the topology of the same mesh. Uses all threads of parallel_for.
+    // `topology` must be the topology of the same mesh, whose positions are loaded. Throws Error when a record cannot
+    // be read. Uses all threads of parallel_for.
     [[nodiscard]] const Found& find(const Topology& topology) const;
 
 private:

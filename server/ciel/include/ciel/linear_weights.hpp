@@ -32,7 +32,8 @@ private:
 
 // Sets `weights` to the weights of values whose positions have the offsets `displacements` from the point. Each weight
 // is >= 0, and the sum is 1. `left_out`: orthogonal unit vectors; the components along them are removed from
-// `displacements`.
+// `displacements`. If a displacement is not finite, all weights are equal. REQUIRES: `weights` and `displacements` have
+// the same number of entries, at least one.
 void linear_weights(std::span<Vec3d> displacements, std::span<const Vec3d> left_out, std::span<double> weights);
 
 } // namespace ciel

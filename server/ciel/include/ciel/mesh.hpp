@@ -16,7 +16,9 @@ struct MeshReport {
     AssembleReport assembled;        // bad, reversed and inverted cells
     std::uint64_t skipped_cells = 0; // points, lines and surfaces, which were left out
     std::uint64_t reduced_cells = 0; // quadratic and higher-order cells, reduced to their corners
-    std::uint64_t bytes_copied = 0;  // size of the copies that were made of the caller's arrays
+    // Size of the lists that were made of the caller's arrays to build the mesh, and of the positions that moved()
+    // stored. The lists are freed; the built mesh does not count.
+    std::uint64_t bytes_copied = 0;
 };
 
 // Cells in the arrays of a vtkUnstructuredGrid (VTK User's Guide, "Cell types"). C: number of cells. Cell i has the
@@ -39,6 +41,9 @@ class CellFits; // cell_fits.hpp
 // else as doubles. Surfaces store positions as float offsets from stored().surface_origin, the middle of the mesh.
 class Mesh {
 public:
+    // from_polyhedra, from_faces, from_cells and moved keep nothing of the caller's arrays, which may be freed after
+    // the call. They use all threads of parallel_for. Any thread may call them.
+
     // Makes a mesh of cells that are lists of faces. `points`: V x 3. Cell c has the faces cell_offset[c] to
     // cell_offset[c + 1] - 1. Face f has the points face_vertex[face_offset[f]] to face_vertex[face_offset[f + 1] - 1],
     // in any winding. A face between two cells is listed once for each cell. Throws Error when an array has a wrong
@@ -66,7 +71,7 @@ public:
     [[nodiscard]] std::size_t point_count() const; // points in the caller's arrays
     [[nodiscard]] std::size_t cell_count() const;  // cells in the caller's arrays, including those left out
     [[nodiscard]] const MeshReport& report() const;
-    // Return parts of this mesh. A copy of a part may be kept without the mesh.
+    // Return the structure and the arrays of this mesh. Copies of them may be kept without the mesh.
     [[nodiscard]] const Topology& topology() const;
     [[nodiscard]] const FaceMeshView& stored() const;
     // Returns the CellFits that all fields on this mesh share.

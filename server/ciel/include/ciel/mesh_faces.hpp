@@ -1,12 +1,13 @@
 // Faces of a mesh, selected by cell, by id or by vertex, and their size. Not in the paper. Any thread may call the
-// functions. The results own their data. The functions throw Error when an index in the mesh is out of range.
+// functions. The results own their data. The functions throw Error when an index that they read from the mesh is out of
+// range. REQUIRES: face ids from the caller exist, and `kept` has one flag for each cell or is empty.
 #pragma once
 
 #include "ciel/threshold_surface.hpp"
 
 namespace ciel {
 
-// In this file, `kept` has one flag for each cell, or is empty if all cells are kept.
+// In this file, an empty `kept` means that all cells are kept.
 
 // Returns the boundary faces of the mesh, in the order of face ids.
 [[nodiscard]] std::vector<CellFace> boundary_faces(const FaceMeshView& mesh);
@@ -16,7 +17,8 @@ namespace ciel {
                                                 std::span<const std::uint8_t> kept = {});
 
 // Returns the boundary faces that lie in the level set of `level`: each vertex of such a face has a value that differs
-// from `level` by at most `tolerance`. `field` must be a field on the vertices of `mesh`.
+// from `level` by at most `tolerance`, in units of the field. REQUIRES: `field` is on the vertices of `mesh`. Throws
+// Error when a value cannot be read.
 [[nodiscard]] std::vector<CellFace> boundary_faces_at(const FaceMeshView& mesh, const Field& field, double level,
                                                       double tolerance);
 

@@ -1,5 +1,5 @@
-// Builds the records of a topology one by one, so that they need not be in memory together. Not in the paper, which has
-// no blocks.
+// Builds the records of a topology one by one, so that they need not be in memory together. Not in the paper, whose
+// structure has no blocks.
 #pragma once
 
 #include "ciel/matched_cells.hpp"
@@ -31,6 +31,7 @@ struct BuiltRecords {
     TopologyCounts counts;
 };
 
+// Build all records, give them to the sink, and return the rest of the topology. Use all threads of parallel_for.
 // Throw the exceptions of Topology::Topology and of the sink. The sink may then have a part of the records. Both
 // functions make the same records of the same cells, unless faces have repeated vertices: blocks may then end at other
 // cells.

@@ -14,7 +14,7 @@ namespace ciel {
 // Throws Error unless `found` equals `wanted`. `what`: describes the entries of the array in the message.
 inline void require_size(std::size_t found, std::uint64_t wanted, const char* what) {
     if (found != wanted)
-        fail("an array for slices must have " + std::to_string(wanted) + " " + what + "; it has " +
+        fail("an array of a sink must have " + std::to_string(wanted) + " " + what + "; it has " +
              std::to_string(found));
 }
 

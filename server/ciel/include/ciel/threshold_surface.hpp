@@ -33,11 +33,13 @@ struct CellFace {
     Index face, cell;
 };
 // Returns the faces between a kept cell and a cell that is not kept, and the boundary faces of kept cells, in the order
-// of face ids. CellFace::cell is the kept cell. `kept`: one flag for each cell.
+// of face ids. CellFace::cell is the kept cell. REQUIRES: `kept` has one flag for each cell. Throws Error when an index
+// of the mesh is out of range.
 [[nodiscard]] std::vector<CellFace> threshold_faces(const FaceMeshView& mesh, std::span<const std::uint8_t> kept);
 
 // Returns the faces as polygons, wound outwards from CellFace::cell. The points of the surface are mesh vertices
-// (EdgePoint with a == b), in the order of first use. Faces of fewer than three distinct vertices are left out.
+// (EdgePoint with a == b), in the order of first use. Faces of fewer than three distinct vertices are left out. Throws
+// Error when an index of the mesh is out of range. REQUIRES: the faces exist.
 [[nodiscard]] Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces);
 
 // What becomes of faces of fewer than three distinct vertices. Collapsed cells have such faces.

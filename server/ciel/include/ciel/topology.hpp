@@ -49,6 +49,8 @@ public:
     // next_around_vertex: repeated calls visit all half-edges that leave the same vertex (the paper's appendix A), in
     // all blocks.
     // mate_polyhedron: no_half_edge on a boundary face.
+    // The operators and cell() throw Error when the half-edge does not exist in this topology, and when a record cannot
+    // be read or is damaged.
     // Repeated vertices of a loop (collapsed cells) make no half-edge. Therefore every half-edge joins two distinct
     // vertices, and mate_face(h) is never h. If a face has collapsed to a line, mate_face may return a half-edge of the
     // same face.
@@ -59,6 +61,7 @@ public:
     [[nodiscard]] HalfEdge mate_face(HalfEdge h) const;
     [[nodiscard]] HalfEdge mate_polyhedron(HalfEdge h) const;
 
+    // REQUIRES: cells and vertices exist, that is, are below counts().cells and counts().vertices.
     [[nodiscard]] Index cell(HalfEdge h) const;
     [[nodiscard]] HalfEdge half_edge_of_vertex(Index vertex) const;   // one that leaves the vertex, or no_half_edge
     [[nodiscard]] HalfEdge half_edge_begin(Index cell) const;         // first of half_edges(cell), or no_half_edge
@@ -70,8 +73,9 @@ public:
     [[nodiscard]] std::size_t memory_bytes() const;
 
     // Return the bytes from which the same Topology can be made: the tables of all blocks, and one record of one block.
-    // A record is valid while a copy of this Topology lives. Numbers are little-endian; src/blocks/record.hpp describes
-    // the format.
+    // A record is valid while a copy of this Topology lives. Numbers are little-endian. The format belongs to this
+    // version of the kernel: give the bytes back to it, and do not read them. Throws Error when the record cannot be
+    // read. REQUIRES: block < block_count().
     [[nodiscard]] std::vector<std::uint64_t> tables() const;
     [[nodiscard]] std::span<const std::byte> record(Index block, RecordKind kind) const;
 

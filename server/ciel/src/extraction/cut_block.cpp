@@ -153,7 +153,7 @@ void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     cut.decided = false;
 }
 
-// Before, the polygons are sorted by section, then by cell.
+// Sorts the polygons by cell. On entry, they are sorted by section, and by cell in each section.
 void sort_polygons(CutScratch& scratch, ActiveBlock& cut) {
     auto& [order, cell, end, edge] = scratch.sorted;
     order.resize(cut.polygon_cell.size());

@@ -19,7 +19,8 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh; pass one range per block of the topology");
     topology = of;
-    // A changed record may have any 16-bit number as a local vertex. What is not touched takes no memory.
+    // A record whose file was changed may have any 16-bit number as a local vertex, and the array has a place for each.
+    // Places that are never used take no memory.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
         local_doubles = SparseArray<double>(room);

@@ -4,6 +4,7 @@
 #include "blocks/pair_half_edges.hpp"
 #include "ciel/cell_geometry.hpp"
 #include "ciel/parallel.hpp"
+#include "ciel/vectors.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -15,10 +16,6 @@ using namespace detail;
 
 namespace {
 
-Vec3d cross_of(const Vec3d& a, const Vec3d& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot_of(const Vec3d& a, const Vec3d& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 // Flags each vertex with a cell corner that is not convex by `margin`. In each direction, an inner vertex without a
@@ -44,8 +41,8 @@ private:
         for (std::size_t i = 2; i < around.size() && convex; ++i) {
             const Vec3d a = difference(position(around[0]), apex), b = difference(position(around[i - 1]), apex),
                         c = difference(position(around[i]), apex);
-            const Vec3d area = cross_of(difference(b, a), difference(c, a));
-            convex = dot_of(a, cross_of(b, c)) > margin_ * std::sqrt(dot_of(area, area)); // false for NaN
+            const Vec3d area = cross(difference(b, a), difference(c, a));
+            convex = dot(a, cross(b, c)) > margin_ * std::sqrt(dot(area, area)); // false for NaN
         }
         if (!convex) std::atomic_ref(flag_[block_.vertex(vertex)]).store(1, std::memory_order_relaxed);
     }
@@ -126,7 +123,7 @@ const GeometricVertices::Found& GeometricVertices::find(const Topology& topology
     const Vec3d shift = mesh.surface_shift();
     for (Index v = 0; v < mesh.vertex_count(); ++v) {
         const Vec3d at = position(mesh, v), p{at[0] + shift[0], at[1] + shift[1], at[2] + shift[2]};
-        largest = std::max(largest, dot_of(p, p));
+        largest = std::max(largest, dot(p, p));
     }
     found_.largest_distance = 4 * std::sqrt(largest);
     const double margin = found_.largest_distance * std::numeric_limits<float>::epsilon();

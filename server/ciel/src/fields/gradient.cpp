@@ -92,7 +92,7 @@ private:
             for (std::size_t i = begin; i < end; ++i) body(blocks[i]);
         });
     }
-    // Atomic, because two tasks may set the same gradient if a record with the ring of a vertex has changed.
+    // Atomic, because two tasks may set the same gradient if the file of a record is changed while it is used.
     void set_gradient(const BlockVertex& at, const Vec3f& to) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             std::atomic_ref(gradient_[at.block][at.vertex][axis]).store(to[axis], std::memory_order_relaxed);

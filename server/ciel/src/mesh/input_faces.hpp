@@ -25,7 +25,8 @@ public:
     [[nodiscard]] Index end(Index cell) const { return begin_[cell + 1]; }
     [[nodiscard]] Index cell_of(Index face) const;
 
-    // Returns the vertex ids of a face of the cell. `scratch` gets the ids of a standard cell's face.
+    // Returns the vertex ids of a face of the cell. For a standard cell, the ids are written to `scratch`, to which the
+    // result points.
     [[nodiscard]] std::span<const Index> loop(Index cell, Index face, Corners& scratch) const;
     [[nodiscard]] std::size_t size(Index cell, Index face) const;
     [[nodiscard]] bool is_face(Index cell, Index face) const { return has_corners(cell) || size(cell, face) >= 3; }

@@ -115,7 +115,7 @@ export function LayersSection(): JSX.Element {
         <ol
           class="layer-list"
           ref={list}
-          title="Legends stand in this order. Of surfaces in one place the last is seen."
+          title="Legends have this order. Where surfaces coincide, the last one is visible."
         >
           {layers.map(([id, layer], place) => (
             <LayerRow

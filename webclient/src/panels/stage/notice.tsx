@@ -37,7 +37,7 @@ function useReason(hasPicture: boolean): Reason {
     return {
       title: "The server answers, but no WebSocket reaches the server",
       words:
-        "A proxy between the browser and the server blocks the WebSocket. Configure the proxy to pass the WebSocket upgrade of ws to the server.",
+        "A proxy between the browser and the server blocks the WebSocket. Configure the proxy to forward WebSocket upgrades on the path ws.",
     };
   }
   const asked = `${location.host} cannot be reached. Is "ciel serve" running there?`;
@@ -120,8 +120,8 @@ export function FatalNotice(): JSX.Element | null {
   );
 }
 
-const UNSEEN = "None of the layers that are switched on shows anything.";
-const EMPTY = "None of the layers that are switched on meets the data at this time.";
+const UNSEEN = "No visible layer shows anything.";
+const EMPTY = "No visible layer meets the data at this time.";
 
 const MOST_REASONS = 3;
 

@@ -68,7 +68,7 @@ export function TimeBar(): JSX.Element {
     useModel((model) => (model.chosen.value === null ? model.description.value?.times : undefined)) ?? NO_TIMES;
   const time = useModel((model) => model.scene.value?.time);
   if (times.length < 2) {
-    // Reserves the space of the time bar. A later bar would shrink the canvas, and the picture would be drawn twice.
+    // Reserves the space of the time bar. If the bar appeared later, the canvas would shrink, and the picture would be drawn twice.
     return (
       <section class="time-bar hint" aria-label="Time">
         {times.length === 1 && "This dataset has one time step."}
