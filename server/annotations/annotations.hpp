@@ -1,4 +1,4 @@
-// Text, legends and axes drawn over a picture.
+// Describes the text, legends and axes that are drawn over a picture.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -13,12 +13,12 @@ namespace server::annotations {
 struct Legend {
     std::string name, units;
     color::ColorScale scale;
-    std::string layers{}; // second line of text; distinguishes legends with the same name; usually empty
+    std::string layers{}; // second line of text, which distinguishes legends with the same name; usually empty
     bool missing = false; // some colored points have no value, so the legend also shows the color of missing values
     std::vector<std::string> lines{}; // further lines of text, below `layers`
     // For a scale without width (both ends are equal): true writes the number at both ends, false writes it once.
     bool both_ends = false;
-    // Size in pixels of an area at the lower end that stays free for controls of the page. Height 0: no area.
+    // Size in pixels of the area at the legend's lower end that stays free for controls of the page. Height 0: no area.
     double control_width = 0, control_height = 0;
 };
 
@@ -41,7 +41,8 @@ struct AnnotatedPicture : Viewpoint {
     Annotations annotations;
 };
 
-// Returns min(height, 0.75 * width) / 720, which is 1 for 1280 x 720 pixels.
+// Returns the factor by which the sizes of annotations scale with the picture: min(height, 0.75 * width) / 720, which
+// is 1 for 1280 x 720 pixels.
 [[nodiscard]] double size_of_picture(int width, int height);
 
 // Returns the Annotations::scale at which the font size is `pixels` pixels in a picture of this size.

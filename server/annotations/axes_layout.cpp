@@ -1,4 +1,4 @@
-// Ticks, numbers and names along three edges of the bounding box.
+// Lays out the axes of a picture: ticks, numbers and a name along up to three edges of the bounding box.
 #include "annotations/box_edges.hpp"
 #include "annotations/layout.hpp"
 #include "annotations/ticks.hpp"
@@ -58,7 +58,7 @@ private:
         return (value - low) / (edge_.high[edge_.axis] - low);
     }
 
-    // A text that would extend beyond the picture is moved inside.
+    // Returns the text centered at `middle`. A text that would extend beyond the picture is moved inside.
     [[nodiscard]] Placed around(PicturePoint middle, const std::string& text) {
         const TextSize& size = layout_.text();
         const double half_width = layout_.width_of(text, size) / 2.0;
@@ -85,7 +85,8 @@ private:
         return around({foot.x + away * edge_.outward.x, foot.y + away * edge_.outward.y}, text);
     }
 
-    // Returns false if two numbers are too close. Leaves out numbers that would overlap another annotation.
+    // Places at most `most` numbers on the axis, and leaves out numbers that would overlap another annotation. Returns
+    // false if two numbers are too close.
     bool number(int most) {
         const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
         exponent_ = scale.exponent;
@@ -102,7 +103,7 @@ private:
         return are_clear;
     }
 
-    // Without this distance, two adjacent numbers would look like one number.
+    // Widens the box of a number, because two adjacent numbers without a gap would look like one number.
     [[nodiscard]] Box with_room(const Box& box) const {
         const double room = apart * layout_.em() / 2;
         return {std::max(0.0, box.left - room), box.top, std::min<double>(layout_.width(), box.right + room),
@@ -126,7 +127,7 @@ private:
             const PicturePoint foot = at(share(one.value));
             layout_.draw_line(foot, {foot.x + length * edge_.outward.x, foot.y + length * edge_.outward.y});
         }
-        // In steep views, a number may overlap the tick of an adjacent number.
+        // In steep views, a number may overlap the tick of an adjacent number. Such numbers are left out.
         std::erase_if(numbers_, [&](const Numbered& one) { return !layout_.is_free(one.label.box); });
         for (const Numbered& one : numbers_) write(one.label);
     }
@@ -138,8 +139,8 @@ private:
         return layout_.shortened(whole, layout_.text(), layout_.width() - 2);
     }
 
-    // Places of the name, the best one first: outside the numbers, from the middle of the edge to its ends; then beyond
-    // the ends of the edge.
+    // Returns possible places of the axis name, the best place first. The first places are outside the numbers, from
+    // the middle of the edge to its ends. The last places are beyond the ends of the edge.
     [[nodiscard]] std::vector<Placed> places_of(const std::string& name) {
         double depth = 0;
         for (const Numbered& one : numbers_)

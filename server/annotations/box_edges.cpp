@@ -28,7 +28,7 @@ struct Candidate {
     double rank = 0;   // for each axis, the candidate with the largest rank is chosen
 };
 
-// Returns the unit vector normal to the edge that points away from the center. `along`: unit vector.
+// Returns the unit vector normal to an edge that points away from the center. `along`: unit vector along the edge.
 PicturePoint outward_of(PicturePoint along, PicturePoint middle, PicturePoint center) {
     const PicturePoint across{-along.y, along.x};
     const double side = across.x * (middle.x - center.x) + across.y * (middle.y - center.y);

@@ -17,7 +17,7 @@ struct BoxEdge {
     PicturePoint outward;     // unit vector in the picture that is normal to the edge and points away from the box
 };
 
-// Does not own the viewpoint, which must outlive the Projection.
+// Projects world coordinates onto the picture. Does not own the viewpoint, which must outlive the Projection.
 class Projection {
 public:
     explicit Projection(const Viewpoint& viewpoint);
@@ -25,7 +25,8 @@ public:
     [[nodiscard]] PicturePoint pixel(const glm::dvec3& world) const; // only for points in front of the eye
     // Returns the part of the line inside the view volume as fractions, 0 at a and 1 at b, or nothing.
     [[nodiscard]] std::optional<std::pair<double, double>> part_seen(const glm::dvec3& a, const glm::dvec3& b) const;
-    // The face is normal to `axis`. `upper`: true for the face at bounds_max, false for the face at bounds_min.
+    // Returns whether a face of the bounding box faces the eye. The face is normal to `axis`. `upper`: true for the
+    // face at bounds_max, false for the face at bounds_min.
     [[nodiscard]] bool sees_face(int axis, bool upper) const;
     [[nodiscard]] int upward_axis() const { return upward_axis_; } // axis that is most vertical in the picture
 

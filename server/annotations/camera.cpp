@@ -28,7 +28,7 @@ glm::dmat4 view_matrix(const ViewCamera& camera, const glm::dvec3& origin) {
     up = glm::length(up) > 0 ? glm::normalize(up) : glm::dvec3(0, 0, 1);
     if (glm::length(glm::cross(ahead, up)) < 1e-6)
         up = std::abs(ahead.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    // `eye` is not passed to glm::lookAt. If the eye is very far from the origin, eye + ahead would be rounded to eye.
+    // glm::lookAt gets an eye at the origin. Very far from the origin, eye + ahead would be rounded to eye.
     return glm::translate(glm::lookAt(glm::dvec3(0), ahead, up), -eye);
 }
 
@@ -75,7 +75,7 @@ ViewTransform view_transform(const Viewpoint& seen) {
                                           depths.farthest + back + margin);
         return transform;
     }
-    // If the whole box is behind the eye, any positive range is valid.
+    // If the whole box is behind the eye, any positive range of depths is valid.
     const double farthest = std::max(depths.farthest + margin, margin);
     // A nearer near plane would leave too few of the 24 bits of depth for the rest of the scene.
     const double nearest = std::max(depths.nearest - margin, farthest * 1e-4);

@@ -7,7 +7,7 @@
 
 namespace server::annotations {
 
-// A camera to draw with. All members have values, unlike those of scene::Camera, which is a part of the document.
+// A camera to draw with. No member is optional, unlike in scene::Camera, which is a part of the scene document.
 struct ViewCamera {
     ciel::Vec3d position{}, target{}, up{0, 0, 1}; // world coordinates
     double fov_degrees = 30;
@@ -37,7 +37,7 @@ struct ViewTransform {
 // Throws Error unless is_usable(seen.camera). The target may equal the position, and `up` may be parallel to the view.
 [[nodiscard]] ViewTransform view_transform(const Viewpoint& seen);
 
-// The camera shows the whole box with a small margin, also in a parallel view. `aspect`: width / height of the picture.
+// Returns a camera that shows the whole box with a small margin, also in a parallel view. `aspect`: width / height.
 [[nodiscard]] ViewCamera default_camera(ciel::Vec3d bounds_min, ciel::Vec3d bounds_max, double aspect,
                                         double fov_degrees = ViewCamera{}.fov_degrees);
 

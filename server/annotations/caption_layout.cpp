@@ -1,4 +1,4 @@
-// The title across the top, and lines of text at the upper left.
+// Lays out the title at the top and the captions at the upper left.
 #include "annotations/layout.hpp"
 
 #include <cmath>

@@ -25,7 +25,7 @@ struct Marks {
     }
 };
 
-// Every stride-th bound of the steps gets a mark. The stride must divide stride_of_labels.
+// Returns n: every n-th bound between color steps gets a mark. n divides stride_of_labels, so every label is at a mark.
 int stride_of_marks(int steps, int stride_of_labels, int most) {
     for (int stride = 1; stride < stride_of_labels; ++stride)
         if (stride_of_labels % stride == 0 && steps / stride < most) return stride;
@@ -37,13 +37,13 @@ void add_steps(Marks& marks, int most) {
     const int stride = (scale.steps + most_labels - 1) / most_labels;
     for (int k = 0; k <= scale.steps; k += stride_of_marks(scale.steps, stride, most)) {
         const int to_the_end = scale.steps - k;
-        // This mark would be too close to the end of the scale.
+        // Leaves out a mark that would be too close to the end of the scale.
         if (to_the_end > 0 && to_the_end * most < scale.steps) continue;
         marks.add(color::value_at(scale, static_cast<double>(k) / scale.steps), k % stride == 0);
     }
 }
 
-// The multiples in `with` get labels, at every `stride`-th power of ten.
+// Adds marks at powers of ten and their multiples. The multiples in `with` get labels at every `stride`-th power.
 void add_decades(Marks& marks, double low, double high, const std::vector<int>& with, int stride) {
     const int first = static_cast<int>(std::floor(std::log10(low)));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));

@@ -1,4 +1,4 @@
-// Marks and labels of a legend. The web page runs the same code (server/page).
+// Computes the marks and labels of a color bar. The web page runs the same code (server/page).
 #pragma once
 
 #include "color/color_scale.hpp"
@@ -11,9 +11,10 @@ struct ColorTick {
     std::string label; // UTF-8; empty: a mark without label
 };
 
-// Returns n if numbers are multiples of 10^n, which is then written in the title; 0 on a logarithmic scale.
+// Returns n if the numbers of a legend are divided by 10^n, and the title of the legend then contains this power.
+// Returns 0 if the numbers are short without it, and for a logarithmic scale.
 [[nodiscard]] int exponent_of(const color::ColorScale& scale);
-// The text has the format of number_label() (ticks.hpp).
+// Returns `value` as text in the format of number_label() (ticks.hpp).
 [[nodiscard]] std::string label_on(const color::ColorScale& scale, double value);
 // Returns ticks in ascending order inside the scale's range. Returns a single tick if the range has no width.
 // Linear scale: the ticks of nice_scale() (ticks.hpp), at most `most`.

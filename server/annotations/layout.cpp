@@ -13,7 +13,7 @@ constexpr double usual_text = 13, usual_heading = 18;
 constexpr int smallest_text = 9, largest_text = 200;
 constexpr Ink light{0.93F, 0.94F, 0.96F, 1}, dark{0.07F, 0.08F, 0.10F, 1};
 constexpr float halo_opacity = 0.75F;
-// Light text on such a dark plate has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) even over a white picture.
+// Light text on a dark plate of this opacity has a contrast of at least 4.5 (WCAG 2.1, 1.4.3) even over white.
 constexpr float plate_opacity = 0.72F;
 constexpr double plate_edge = 0.3; // width in ems of the edge in which a plate fades out
 
@@ -34,7 +34,7 @@ Ink translucent(const std::array<float, 3>& color) { return {color[0], color[1],
 
 } // namespace
 
-// In a narrow picture, legends that are sized by the height would fill the width.
+// The width limits the result, because legends that are sized by the height would fill a narrow picture.
 double size_of_picture(int width, int height) { return std::min<double>(height, 0.75 * width) / usual_height; }
 
 double scale_for_text(int width, int height, double pixels) {

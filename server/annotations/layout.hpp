@@ -24,7 +24,7 @@ public:
     [[nodiscard]] double em() const { return text_.pixels; }
     [[nodiscard]] double stroke_width() const { return em() / 10; }
     [[nodiscard]] const TextSize& text() const { return text_; }
-    // true: the font size is at its lower limit and no longer scales with the picture.
+    // Returns whether the font size is at its lower limit, at which it no longer scales with the picture.
     [[nodiscard]] bool has_smallest_text() const;
     [[nodiscard]] const TextSize& heading() const { return heading_; }
     [[nodiscard]] const Ink& ink() const { return ink_; }
@@ -64,11 +64,12 @@ private:
     std::vector<std::pair<PicturePoint, PicturePoint>> lines_; // drawn lines; is_free() treats them like taken boxes
 };
 
-// Each of these functions lays out one part of picture.annotations, never over earlier parts. Call them in this order.
-// Parts that do not fit are left out: captions, the last legends (then a note has their number, if there is room), the
-// triad, single numbers and names of axes, parts of lines. No legend begins in the left third of the picture.
-// Handles: "legend i" around the whole legend i; "legend i low" and "legend i high" around the numbers at its ends, if
-// there are two; "legend i controls" around the area for controls, if there is one.
+// Each of these functions lays out one kind of annotation, never over annotations that are already laid out. Call them
+// in this order. Annotations that do not fit are left out: captions, the last legends, the triad, single numbers and
+// names of axes, pieces of axis lines. If legends are left out, a note states how many, if there is room. No legend
+// begins in the left third of the picture.
+// They add these handles to the overlay: "legend i" around the whole legend i; "legend i low" and "legend i high"
+// around the numbers at its ends, if there are two; "legend i controls" around the area for controls, if there is one.
 void lay_title(Layout& layout, const Annotations& annotations);
 void lay_captions(Layout& layout, const Annotations& annotations);
 void lay_legends(Layout& layout, const Annotations& annotations);

@@ -81,7 +81,7 @@ Ink ink_of(const color::Rgb8& color) {
     return {red, green, blue, 1};
 }
 
-// An end of the bar may have the color of the background, so the bar needs a border. In pixels.
+// Returns pixels. Without a border, an end of the bar that has the color of the background would be invisible.
 double border_width(const Layout& layout) { return std::max(1.0, std::round(layout.stroke_width())); }
 
 void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box& bar, bool at_top) {
@@ -94,7 +94,7 @@ void draw_cap(Layout& layout, const std::optional<color::Rgb8>& color, const Box
     layout.overlay.fills.push_back({{bar.left, top, bar.right, top + height}, ink_of(*color), ink_of(*color)});
 }
 
-// Gradients are linear, and colors are nearly linear over 4 pixels. Therefore the bar is a stack of such gradients.
+// Draws a smooth bar as a stack of linear gradients of about 4 pixels, because colors are nearly linear over 4 pixels.
 void draw_bar(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     draw_cap(layout, scale.above, bar, true);
     draw_cap(layout, scale.below, bar, false);
@@ -155,7 +155,7 @@ void draw_inner_marks(Layout& layout, const color::ColorScale& scale, const Box&
     }
 }
 
-// Returns the lower end of the area that patch and text need, in pixels from the top of the picture.
+// Draws the color of missing values and its text. Returns their lower end, in pixels from the top of the picture.
 double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& bar) {
     const TextSize& size = layout.text();
     const double border = border_width(layout);
@@ -172,7 +172,7 @@ double draw_missing(Layout& layout, const color::ColorScale& scale, const Box& b
     return bar.bottom + (missing_line + 0.5) * size.line();
 }
 
-// The whole rectangle is taken, so that nothing else is drawn between the bar and the numbers.
+// Marks the whole rectangle of the legend as taken, so that nothing else is drawn between the bar and the numbers.
 void draw_entry(Layout& layout, const Entry& entry, int left, double top, double bar_height) {
     const TextSize& size = layout.text();
     int base = static_cast<int>(std::lround(top)) + size.metrics.ascent;
@@ -198,7 +198,8 @@ void draw_entry(Layout& layout, const Entry& entry, int left, double top, double
     layout.overlay.handles.push_back({entry.id, all});
 }
 
-// If the legends do not all fit into the upper part of a narrow picture, columns are limited to this part.
+// Returns the height of a column of legends. If the legends do not all fit into the upper part of a narrow picture,
+// columns are limited to this part. `least`: smallest height of one legend.
 double height_for(Layout& layout, const Annotations& annotations, double least) {
     const double whole = layout.room.height();
     const bool is_narrow = entry_of(layout, annotations, 0).width > wide_legend * layout.width();
@@ -225,7 +226,6 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     if (annotations.legends.empty()) return;
     const double em = layout.em();
     const double line = layout.text().line();
-    // Height of a legend without its bar.
     std::size_t most_lines = 0;
     double controls = 0;
     for (const Legend& legend : annotations.legends) {
@@ -234,6 +234,7 @@ void lay_legends(Layout& layout, const Annotations& annotations) {
     }
     const auto is_missing = [](const Legend& legend) { return legend.missing; };
     const bool any_missing = std::any_of(annotations.legends.begin(), annotations.legends.end(), is_missing);
+    // Height of a legend without its bar.
     const double around = (2 + static_cast<double>(most_lines) + (any_missing ? missing_line : 0)) * line + controls;
     const double least = around + (least_bar + between) * em;
     const double height = height_for(layout, annotations, least);

@@ -1,5 +1,5 @@
-// Titles of legends, and names that distinguish several legends of one array. Each name lists the layers that use the
-// colors of the legend. The web page runs the same code (server/page).
+// Makes the titles of legends, and names that distinguish several legends of one array. Each name lists the layers that
+// use the colors of the legend. The web page runs the same code (server/page).
 #pragma once
 
 #include "ciel/types.hpp"
@@ -10,7 +10,7 @@
 
 namespace server::annotations {
 
-// The members of a scene's layer that its name shows.
+// The members of a scene's layer from which its name is made.
 struct NamedLayer {
     std::string type;                  // as in the scene
     bool contours = false;             // the name is that of the contour lines on the layer
@@ -30,7 +30,8 @@ struct NamedLegend {
 // Returns one name per legend. The name is empty if no other legend has the same array.
 [[nodiscard]] std::vector<std::string> legend_names(const std::vector<NamedLegend>& legends);
 
-// Returns one line: the array, its units in brackets, and the power of ten that is factored out of the scale's numbers.
+// Returns the title as one line: name of the array, units in brackets, and the power of ten that is factored out of the
+// scale's numbers.
 [[nodiscard]] std::string legend_title(const std::string& array, const std::string& units,
                                        const color::ColorScale& scale);
 

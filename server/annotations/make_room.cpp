@@ -12,7 +12,7 @@
 namespace server::annotations {
 namespace {
 
-constexpr int usual_height = 720; // pixels, of the test picture, unless text has its smallest size
+constexpr int usual_height = 720; // height in pixels of the layout that is tested, unless text has its smallest size
 constexpr double step = 1.03, furthest = 2;
 constexpr double aside = 1.0 / 32; // one step to the side, as a fraction of the picture's width
 constexpr int most_aside = 10;
@@ -77,7 +77,8 @@ ViewCamera stepped_aside(const AnnotatedPicture& picture, double to_left, double
     return camera;
 }
 
-// For narrow pictures, in which legends extend past the middle: the scene is beside or below all annotations.
+// Returns a camera with which the scene is beside or below all annotations, or nullopt. This is for narrow pictures, in
+// which legends extend past the middle.
 std::optional<ViewCamera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
                                       const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;

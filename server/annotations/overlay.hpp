@@ -1,5 +1,6 @@
-// A two-dimensional drawing over a picture. The layout makes it, and the overlay painter draws it. Coordinates are in
-// pixels from the upper left corner. Drawing order: plates, fills, strokes, triangles, labels.
+// A two-dimensional drawing over a picture. The layout (layout.hpp) makes this drawing, and the overlay painter of
+// server/render draws it. Coordinates are in pixels from the upper left corner. Drawing order: plates, fills, strokes,
+// triangles, labels.
 #pragma once
 
 #include <array>

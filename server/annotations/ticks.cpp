@@ -11,15 +11,17 @@ namespace {
 constexpr std::array superscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr int most_decimals = 15;
 constexpr double smallest_span = 1e-300; // a smaller range gets only one tick, because more ticks would lose digits
-// Coordinates of map grids have seven digits before the decimal point, so they are written without a power of ten.
+// Range of exponents for which numbers are written without a power of ten. Coordinates of map grids, with seven digits
+// before the decimal point, are in this range.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
-// Ends of a scale are rounded to these digits: they may be floats, and 1e-4 as a float is slightly less than 1e-4.
+// Number of digits to which the ends of a scale are rounded. An end may be a float, and 1e-4 as a float is slightly
+// less than 1e-4.
 constexpr int digits_of_ends = 6;
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }
 
-// 9.9996 rounded to three digits is 10.0, so its exponent is 1.
+// Returns the exponent of the rounded value: 9.9996 rounded to three digits is 10.0, so its exponent is 1.
 int rounded_magnitude(double value, int digits) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.*e", std::clamp(digits - 1, 0, most_decimals), value);
@@ -63,7 +65,8 @@ struct Step {
 };
 
 struct Multiples {
-    // Divided by the step. They are doubles, because they may exceed the range of integers.
+    // The first and last multiple of a step in a range, divided by the step. These integers are stored as doubles,
+    // because they may exceed the range of integer types.
     double first = 0, last = 0;
     [[nodiscard]] double count() const { return last - first + 1; }
 };

@@ -1,4 +1,4 @@
-// Ticks of a scale, and the format of its numbers. The web page runs the same code (server/page).
+// Computes the ticks of a scale, and formats its numbers. The web page runs the same code (server/page).
 #pragma once
 
 #include <string>
@@ -22,11 +22,11 @@ struct Scale {
 [[nodiscard]] Scale nice_scale(double low, double high, int most);
 // Returns the exponent of the power of ten that is factored out of a scale's numbers; 0 if they are short without it.
 [[nodiscard]] int common_exponent(double low, double high);
-// Returns value / 10^exponent with U+2212 as minus sign. The last digit is about a thousandth of `span`.
+// Returns value / 10^exponent as text, with U+2212 as minus sign. The last digit is about a thousandth of `span`.
 [[nodiscard]] std::string number_label(double value, double span, int exponent);
-// The number has at most `digits` digits, and its own power of ten if it is very large or very small.
+// Returns a text of at most `digits` digits, with its own power of ten if the value is very large or very small.
 [[nodiscard]] std::string number_label(double value, int digits = 6);
-// Returns the digits with which number_label() writes the ends as different texts: 6, or up to 17 if needed.
+// Returns the number of digits with which number_label() writes the two ends differently: 6, or up to 17 if needed.
 [[nodiscard]] int digits_of_range(double low, double high);
 [[nodiscard]] std::string times_power_of_ten(int exponent);
 // Returns units with superscripts, for example "m²/s²" for "m^2/s^2". Importers write units in the second form.

@@ -22,9 +22,9 @@ struct CameraOptions {
     void add_to(CLI::App& command);
     // Throws UsageError on a malformed or out-of-range option.
     void apply(nlohmann::json& document) const;
-    // If the scene has a camera, applies --field-of-view and --parallel to it, and does not move it.
+    // Applies --field-of-view and --parallel to the scene's camera, if there is one, and does not move the camera.
     void project(std::optional<scene::Camera>& given) const;
-    // Returns the scene. If it has no camera, the result has a camera that shows all of `box`.
+    // Returns the scene. If the scene has no camera, the result has a camera that shows all of `box`.
     [[nodiscard]] scene::CheckedScene stand_back(const scene::CheckedScene& checked, const geometry::Geometry& geometry,
                                                  geometry::ViewSize size, const geometry::BoundingBox& box) const;
 };

@@ -19,7 +19,7 @@ std::vector<double> parse_range(const std::string& text) {
     return range;
 }
 
-// parse_scene() checks colors and positions.
+// Checks only the form; parse_scene() checks colors and positions.
 nlohmann::json parse_points(const std::string& text) {
     nlohmann::json points = nlohmann::json::array();
     for (const std::string& point : CLI::detail::split(text, ',')) {

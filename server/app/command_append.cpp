@@ -43,7 +43,8 @@ void check_size(const File& file, const store::PlannedArray& planned) {
                       ", in the order of the imported file");
 }
 
-// Shows a misspelt name, because it creates a new array, and a forgotten array, because it is not written.
+// Returns text about unexpected arrays for the console. A misspelt name creates a new array, and a forgotten array is
+// not written.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {

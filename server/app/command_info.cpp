@@ -47,7 +47,8 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"cells", mesh.cells_by_type}};
 }
 
-// Returns null for vectors and cell arrays, which have no iso-surfaces, and if no step stores values.
+// Counts the ambiguous faces of a point scalar at the first step that stores values. Returns null for vectors and cell
+// arrays, which have no iso-surfaces, and if no step stores values.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {
@@ -151,7 +152,7 @@ json report(const Dataset& dataset) {
               {"late", sums.late}}}};
 }
 
-// For example ", wall: U noSlip, p zeroGradient".
+// Returns, for example, ", wall: U noSlip, p zeroGradient".
 std::string facts_of(const json& group) {
     std::string text;
     for (const auto& [array, condition] : group["conditions"].items())
@@ -189,7 +190,7 @@ void print_counts(const json& mesh) {
     for (const auto& [type, count] : mesh["cells"].items()) line(type, grouped(count));
 }
 
-// For example "original int32 from 0/p, stored as float64".
+// Returns, for example, "original int32 from 0/p, stored as float64".
 std::string source_of(const json& array) {
     const std::string type = array["type"], stored = array["stored"];
     std::string text = array["origin"];

@@ -104,7 +104,7 @@ nlohmann::json document_of_options(const RenderCommand& render, const store::Dat
 
 geometry::DefaultScene default_document(const RenderCommand& render, store::LoadedDataset& loaded) {
     geometry::DefaultScene shown = geometry::default_scene(loaded, loaded.dataset()->info().name);
-    shown.document.erase("camera"); // this camera fits a web page; stand_back() adds a camera that fits the picture
+    shown.document.erase("camera"); // it fits the web client; stand_back() adds a camera that fits the picture
     if (render.scene.time) shown.document["time"] = time_of_step(*loaded.dataset(), *render.scene.time);
     return shown;
 }
@@ -126,7 +126,7 @@ nlohmann::json document_of_file(const RenderCommand& render, const std::string& 
 
 struct Wanted { // NOLINT(bugprone-exception-escape): moving a json does not throw
     nlohmann::json document;
-    std::optional<geometry::BoundingBox> box; // shown by the default camera; without it: probe::shown_bounds()
+    std::optional<geometry::BoundingBox> box; // shown by the default camera; nullopt: probe::shown_bounds()
 };
 
 Wanted wanted_by(const RenderCommand& render, store::LoadedDataset& loaded) {

@@ -43,7 +43,8 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-// A failed import does not stop the others. Throws Error if there are inputs but none can be served.
+// Imports the inputs that are not datasets. A failed import does not stop the others. Throws Error if there are inputs
+// but none can be served.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout is only for print_address()
     CancelOnSignal signals;
@@ -57,7 +58,8 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// The server watches the folder for datasets, but imports other files only if the user names them.
+// Warns if the folder has no dataset. The server finds new datasets in the folder, but imports other files only if the
+// user names them.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -97,7 +99,8 @@ std::string token_in(const fs::path& file) {
     return token;
 }
 
-// Unlike --token, a file or variable keeps the token out of the process list and the history of the shell.
+// Takes the token from --token-file or CIEL_TOKEN. Unlike --token, these keep the token out of the process list and the
+// history of the shell.
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);
@@ -108,7 +111,7 @@ void complete_token(ServeOptions& options) {
 }
 
 // Scripts wait for this line, the only line on stdout. The stdout of a service goes to a log, which must not contain a
-// token that stays valid. Therefore the line has the token only if the server made it at this start.
+// token that stays valid. Therefore the line has the token only if the server generated the token at this start.
 void print_address(const gateway::Listening& listening, bool token_is_given) {
     std::cout << "CIEL listening on http://" << listening.host << ':' << listening.port << listening.prefix << '/'
               << (token_is_given ? "" : "?token=" + listening.token) << std::endl;

@@ -7,7 +7,7 @@ namespace server::app {
 
 // Returns $XDG_CACHE_HOME/ciel, else $HOME/.cache/ciel.
 [[nodiscard]] std::filesystem::path default_import_folder();
-// Returns the folder of late arrays whose dataset cannot be written to.
+// Returns the folder for the late arrays of datasets that cannot be written.
 [[nodiscard]] inline std::filesystem::path late_folder_in(const std::filesystem::path& import_folder) {
     return std::filesystem::absolute(import_folder / "late");
 }

@@ -64,7 +64,7 @@ void CancelOnSignal::restore() {
     ::sigaction(SIGTERM, &terminate_, nullptr);
 }
 
-// Restores the handlers first, so that no signal is lost: a signal after restore() ends the program.
+// Restores the handlers before reading the flag, so that no signal is lost: a signal after restore() ends the program.
 void CancelOnSignal::end() {
     restore();
     if (cancelled_flag) throw ciel::Error("a signal stopped the import; no dataset was served");

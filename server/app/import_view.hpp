@@ -24,7 +24,8 @@ private:
     int shown_tenth_ = -1;
 };
 
-// While an object exists, SIGINT and SIGTERM set cancelled() instead of ending the program. At most one may exist.
+// While an object exists, SIGINT and SIGTERM set cancelled() instead of ending the program. At most one object may
+// exist.
 class CancelOnSignal {
 public:
     CancelOnSignal();

@@ -65,7 +65,7 @@ nlohmann::json volume_layer(const std::string& text) {
     return layer;
 }
 
-// The scene's arrays may be late at its step. All arrays of the step are then read from the source of the import.
+// If arrays of the scene's step are late (not read from the source yet), reads all arrays of the step from the source.
 void read_late_step(const scene::Scene& scene, store::LoadedDataset& loaded) {
     const auto dataset = loaded.dataset();
     if (dataset->steps().empty()) return;
@@ -100,8 +100,8 @@ void SceneOptions::add_to(CLI::App& command) {
 
 void ExtractionOptions::add_to(CLI::App& command) {
     const CLI::IsMember known({"signatures", "propagation"});
-    // --engine is a deprecated name of --algorithm. --help does not list it. Version 0.4 removes it. It is added first,
-    // because options are read in this order and the last one counts.
+    // --engine is a deprecated name of --algorithm, which --help does not list. Version 0.4 removes --engine. It is
+    // added first, because options are read in this order and the last one counts.
     command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--algorithm", algorithm, "Algorithm of the surface extraction; also CIEL_ALGORITHM.")
         ->check(known)

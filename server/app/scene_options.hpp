@@ -32,7 +32,8 @@ struct SceneOptions {
         return !isos.empty() || !slices.empty() || !planes.empty() || !volumes.empty();
     }
     void check_time() const; // throws UsageError if `time` is not finite
-    // Shows the step nearest to `time`, or the first step without `time`. Throws UsageError on a malformed option.
+    // Returns the scene document. It shows the step nearest to `time`, or the first step without `time`. Throws
+    // UsageError on a malformed option.
     [[nodiscard]] nlohmann::json document(const store::Dataset& dataset) const;
 };
 

@@ -22,7 +22,7 @@ std::string first_that_varies(const store::Dataset& dataset) {
                       "' has no array on points whose values differ, so no surface can be cut; choose another dataset");
 }
 
-// The later step comes first. Throws Error when there is no such step.
+// Returns the last two steps at which the array varies, the later step first. Throws Error when there is no such step.
 std::vector<std::size_t> steps_with(const store::Dataset& dataset, const std::string& array) {
     std::vector<std::size_t> found;
     for (std::size_t step = dataset.steps().size(); step-- > 0 && found.size() < 2;)

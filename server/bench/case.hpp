@@ -11,7 +11,7 @@ namespace server::bench {
 struct Case {
     std::shared_ptr<store::Dataset> dataset;
     std::shared_ptr<store::LoadedDataset> loaded; // the same dataset, as the server holds it in memory
-    std::string path;                             // path of the dataset; one benchmark opens the dataset again
+    std::string path;                             // path of the dataset, for the benchmark that opens it again
     std::string array;
     double time = 0;
     ciel::FaceMeshView mesh;

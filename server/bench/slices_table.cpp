@@ -55,7 +55,8 @@ private:
     std::vector<ciel::SliceSink::Out> slices_;
 };
 
-// Screen-aligned rows make a new field in each run, because each turn of the camera changes the direction.
+// Returns the distance field whose level sets are the slices. Rows with screen-aligned slices make a new field in each
+// run, because each turn of the camera changes the direction.
 ciel::Field distance_along(const Case& data, ciel::Vec3d normal) {
     return field_of(data, store::Values(ciel::plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }

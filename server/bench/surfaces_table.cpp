@@ -38,7 +38,7 @@ private:
 
     void add_series(Table& table, std::size_t count, bool normals) {
         const std::vector<double> values = values_between(low_, high_, count);
-        // Another value before each run, because the query still holds the last surface of the previous run.
+        // Extracts another value before each run, because the query still holds the last surface of the previous run.
         const auto away = [&] { (void)extract(at(0.3), false); };
         table.rows.push_back(measure(
             named(std::to_string(count) + (count == 1 ? " surface" : " surfaces") + (normals ? ", normals" : "")),
@@ -50,7 +50,8 @@ private:
             away));
     }
 
-    // The step activates or deactivates at most 1 % of the active edges, and is at least 1e-7 of the range.
+    // Returns a step that activates or deactivates at most 1 % of the active edges, and that is at least 1e-7 of the
+    // range.
     double small_step(double nu) {
         (void)extract(nu, false);
         const auto edges = static_cast<double>(surface_.points.size());
@@ -66,14 +67,14 @@ private:
         return span * 1e-7;
     }
 
-    // Both end at nearly the same surface, so that their costs can be compared.
+    // Measures a small step and a jump. Both end at nearly the same surface, so that their costs can be compared.
     void add_step(Table& table) {
         const double middle = at(0.5), step = small_step(middle);
         double nu = middle;
         Row row = measure(named("one small step, normals"), [&] { return extract(nu += step); });
         row.note = "of " + std::to_string(step);
         table.rows.push_back(row);
-        // Other values before each run, so that no block can reuse its cut at the middle value.
+        // Extracts other values before each run, so that no block can reuse its cut at the middle value.
         const auto away = [&] {
             for (const double share : {0.45, 0.55, 0.8}) (void)extract(at(share));
         };

@@ -8,7 +8,7 @@
 
 namespace server::bench {
 
-// In seconds. low and high are the quartiles, or the minimum and maximum of fewer than five runs.
+// Times in seconds. low and high are the quartiles, or the minimum and maximum of fewer than five runs.
 struct Spread {
     double median = 0, low = 0, high = 0;
 };
@@ -17,7 +17,7 @@ struct Row {
     std::string what;
     Spread wall, cpu; // cpu: CPU time of all threads of the process
     std::uint64_t repetitions = 0;
-    std::uint64_t triangles = 0; // number that one repetition makes; 0 if it makes none
+    std::uint64_t triangles = 0; // triangles of one repetition; 0 if it makes none
     std::string note;
 };
 
@@ -45,9 +45,10 @@ struct Table {
     std::vector<Row> rows;
 };
 
-// `body` returns the number of triangles that it made. `prepare` is not measured. The first run fills caches and is not
-// counted, unless it takes 1 s: then it is the only run. Then `body` runs until 0.25 s are measured, but at least 3 and
-// at most 25 times. A counted run of more than 0.5 s is the last run.
+// Measures runs of `body`, which returns the number of triangles that it made. `prepare` runs before each run and is
+// not measured. The first run fills caches and is not counted, unless it takes 1 s: then it is the only run. Then
+// `body` runs until 0.25 s are measured, but at least 3 and at most 25 times. A counted run of more than 0.5 s is the
+// last run.
 [[nodiscard]] Row measure(const std::string& what, const std::function<std::uint64_t()>& body,
                           const std::function<void()>& prepare = {});
 

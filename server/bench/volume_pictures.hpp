@@ -30,7 +30,7 @@ public:
     [[nodiscard]] const render::Frame& frame() const { return frame_; }
     [[nodiscard]] const render::Image& image() const { return image_; }
     [[nodiscard]] const render::Volume& volume() const { return volume_; }
-    // Describe the last picture. samples: total area of the drawn slices on the screen, in pixels.
+    // The functions below describe the last picture. samples: total area of the drawn slices on the screen, in pixels.
     [[nodiscard]] double covered_share() const;
     [[nodiscard]] double samples() const;
 

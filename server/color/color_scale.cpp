@@ -11,7 +11,8 @@ namespace {
 
 using Rgb = std::array<double, 3>; // sRGB channels from 0 to 255
 
-// As a share of the width of the range. In a range that needs a larger tolerance with floats, the values are doubles.
+// Largest tolerance for the rounding of floats in limits_of(), as a share of the width of the range. If a range would
+// need a larger tolerance for floats, its values are assumed to be doubles.
 constexpr double largest_slack = 1e-3;
 
 // The value of log(1 + |v| / w) at the ends of a logarithmic range from -r to r (protocol/colors.md).

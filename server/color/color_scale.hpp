@@ -28,7 +28,8 @@ struct ColorScale {
     std::string map = "viridis";
     // If not empty, replaces `map`: at least two points, ascending. Colors between two points are linear in sRGB.
     std::vector<ColorPoint> points;
-    // As given in the scene. With `log`, both values are above zero, or the range goes from -r to r.
+    // Values at the lower and the upper end of the scale. With `log`, both values are above zero, or the range goes
+    // from -r to r.
     std::array<double, 2> range{0, 1};
     bool reverse = false, log = false; // log: equal ratios of values have equal lengths on the scale
     int steps = 0;                     // number of color steps, from 2 to most_color_steps; 0: a smooth scale

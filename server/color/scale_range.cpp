@@ -8,7 +8,7 @@ namespace {
 
 constexpr double largest_of_range = 4e37; // greatest end of a range; 1 / (twice this number) is not subnormal
 constexpr double smallest_of_log = 1e-37; // least end of a log range; graphics cards may treat smaller floats as 0
-constexpr double log_ratio = 1e6;         // of the ends of a log range whose data reach zero
+constexpr double log_ratio = 1e6;         // ratio of the ends of a log range if the data reach zero
 
 double within_floats(double end) { return std::clamp(end, -largest_of_range, largest_of_range); }
 

@@ -1,5 +1,5 @@
-// The range of a color scale, from a scene's coloring and the range of the data. The web page runs the same code
-// (server/page).
+// Computes the range of a color scale from a scene's coloring and the range of the data. The web page runs the same
+// code (server/page).
 #pragma once
 
 #include <array>
@@ -13,13 +13,14 @@ struct RangeChoice {
     bool symmetric = false, log = false;
 };
 
-// `data`: range of the array at the shown step. The result satisfies ColorScale::range, and a graphics card can divide
-// by its width.
+// Returns a range that is valid as ColorScale::range, and by whose width a graphics card can divide. `data`: range of
+// the array at the shown time step.
 [[nodiscard]] std::array<double, 2> range_of(const RangeChoice& choice, std::array<double, 2> data);
-// Returns the part of a range that a logarithmic scale covers: the part above zero or, if the range reaches zero, from
-// a millionth of its upper end. Returns a valid range even if no part is above zero.
+// Returns the part of a range that a logarithmic scale covers. If the range reaches zero, this part begins at a
+// millionth of the upper end. If no value is above zero, returns some valid range.
 [[nodiscard]] std::array<double, 2> range_above_zero(std::array<double, 2> range);
-// Returns false if a logarithmic scale takes its range from data without a value above zero.
+// Returns whether the scale can show the data. A logarithmic scale cannot if it takes its range from data without a
+// value above zero.
 [[nodiscard]] bool is_shown_by(const RangeChoice& choice, std::array<double, 2> data);
 
 } // namespace server::color

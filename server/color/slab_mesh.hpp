@@ -15,13 +15,13 @@ struct SlabVertex {
     ciel::Vec3f position; // offset from the mesh's surface_origin
     float value;          // value of the property
     ciel::Vec3f gradient; // gradient of the property, per unit of length
-    // [min, max] of the property in one cell: the cell of the polygon whose triangles all start at this vertex. Unused
-    // in vertices at which no polygon's triangles start.
+    // [min, max] of the property in the cell of the polygon whose triangles all start at this vertex. Unused if no
+    // polygon's triangles start at this vertex.
     std::array<float, 2> limits;
 };
 
 // Polygons as triangle fans. All triangles of a polygon start at the same vertex, which has the limits of the polygon's
-// cell. The triangles of at most one polygon start at a vertex.
+// cell. Different polygons start at different vertices.
 struct SlabMesh {
     std::vector<SlabVertex> vertices;
     std::vector<ciel::Index> triangles; // three indices in `vertices` for each triangle

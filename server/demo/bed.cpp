@@ -6,7 +6,7 @@
 namespace server::demo {
 namespace {
 
-// The distance from the last plane to the first new plane is step * growth.
+// Appends `count` planes. The distance from the last plane to the first new plane is step * growth.
 void widen(std::vector<double>& planes, double step, double growth, int count) {
     for (int n = 0; n < count; ++n) planes.push_back(planes.back() + (step *= growth));
 }

@@ -22,8 +22,8 @@ struct Bed {
 [[nodiscard]] CellSoup hexahedra(const Bed& bed);
 
 // The seeds are the centers of lattice cells, moved at random, except in the outermost layer, whose outer faces the
-// hexahedra share. A ring of seeds around the cylinder has mirror images inside the cylinder. The flat faces between
-// these seeds and their images form the wall.
+// hexahedra share. Each seed of a ring around the cylinder has a mirror image inside the cylinder. The flat faces
+// between these seeds and their images form the wall.
 [[nodiscard]] CellSoup voronoi_cells(const Bed& bed);
 
 } // namespace server::demo

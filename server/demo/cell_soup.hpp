@@ -26,7 +26,8 @@ struct WeldedCells {
     }
 };
 
-// Merges points whose coordinates differ by at most 1e-9: voro++ rounds. Leaves out collapsed edges and faces.
+// Merges points whose coordinates differ by at most 1e-9, because voro++ rounds coordinates. Leaves out collapsed edges
+// and faces.
 [[nodiscard]] WeldedCells weld(const CellSoup& soup);
 
 } // namespace server::demo

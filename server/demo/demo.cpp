@@ -20,7 +20,8 @@ constexpr std::size_t vertices_per_task = 4096;
 enum Patch { inlet, outlet, bottom, top, back, front, cylinder, patches };
 constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "bottom", "top", "back", "front", "cylinder"};
 
-// Compares coordinates exactly, because corners on a side have the exact coordinate of the side.
+// Returns the patch of a boundary face. Compares coordinates exactly, because corners on a side of the box have the
+// exact coordinate of the side.
 Patch patch_of(const ciel::FaceMesh& mesh, ciel::Index face, const std::array<float, 6>& sides) {
     const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {
@@ -77,7 +78,7 @@ void compute(const ciel::FaceMesh& mesh, const Bed& bed, const std::vector<bool>
             const double x = mesh.positions[3 * i], y = mesh.positions[3 * i + 1], z = mesh.positions[3 * i + 2];
             const double phase = time + span_phase(z, bed.z.back());
             FlowSample sample = Flow(phase).at(x, y);
-            if (on_wall[i]) sample.u = sample.v = 0; // no slip; set here, because the wall lies partly inside r = 1
+            if (on_wall[i]) sample.u = sample.v = 0; // no slip; the wall is a polygon, partly inside r = 1
             fields.velocity[3 * i] = static_cast<float>(sample.u);
             fields.velocity[3 * i + 1] = static_cast<float>(sample.v);
             fields.velocity[3 * i + 2] = 0;

@@ -17,7 +17,7 @@ struct Seeds {
 };
 
 void add_lattice_seeds(const Bed& bed, Seeds& seeds) {
-    // In spacings. The shift makes the cells irregular, and is small enough to avoid slivers.
+    // Largest shift of a seed, in spacings. It makes the cells irregular, and is small enough to avoid slivers.
     constexpr double shift = 0.35;
     const double h = bed.spacing, clear_radius = 1 + 1.2 * h;
     std::mt19937_64 random(1);
@@ -47,7 +47,7 @@ void add_ring_seeds(const Bed& bed, Seeds& seeds) {
         }
 }
 
-// voro++ rounds corners, but patch_of() compares exact coordinates.
+// Moves corners to the sides of the box, because voro++ rounds corners and patch_of() compares exact coordinates.
 void snap(ciel::Vec3d& p, const std::array<ciel::Vec3d, 2>& box) {
     for (const ciel::Vec3d& corner : box)
         for (std::size_t axis = 0; axis < 3; ++axis)

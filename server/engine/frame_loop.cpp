@@ -29,12 +29,12 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
-constexpr std::chrono::milliseconds others_wait{500}; // then a still picture gives way to interactive pictures
+constexpr std::chrono::milliseconds others_wait{500}; // after it, a still picture gives way to waiting frames
 
 struct GivenUp {};
 struct GivesWay {};
 
-// The renderer calls this function between its passes.
+// Throws if the frame must not be finished. The renderer calls this function between its passes.
 void check_wanted(const FrameRequest& request, const FrameWorkers& workers) {
     if (request.stop.stop_requested() || workers.draining()) throw GivenUp();
     if (request.gives_way && Clock::now() - request.started > others_wait && workers.has_waiting()) throw GivesWay();
@@ -54,7 +54,7 @@ std::vector<std::string> lacking_in(const geometry::Geometry& geometry, const sc
     return lacking;
 }
 
-// Returns nothing if the client already has the polygons on a grid that is fine enough.
+// Returns the grid step of the polygons to send; nothing if the client already has them on a grid that is fine enough.
 std::optional<double> grid_to_send(View& view, const FrameRequest& request, const geometry::Geometry& geometry) {
     const double aspect = static_cast<double>(request.size.width) / std::max(request.size.height, 1U);
     const annotations::ViewCamera camera = geometry::camera_of(geometry, request.version->scene().camera, aspect);

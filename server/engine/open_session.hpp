@@ -13,7 +13,7 @@
 
 namespace server::engine {
 
-// Thread-safe. All views and calls share one geometry. Its parts that a new version does not change are kept.
+// Thread-safe. All views and calls share one geometry. A new version makes only the changed layers again.
 class OpenSession final : public sessions::Session {
 public:
     struct Opener {
@@ -31,7 +31,8 @@ public:
                                                                      const std::stop_token& stop, bool moving = false,
                                                                      const geometry::LayersMade& layers_made = {});
     void release_geometry(); // frees the geometry of a session without viewers
-    // Keeps the geometry if the session has a subscriber or viewer or was used since, or if another thread uses it.
+    // Frees the geometry, unless the session has a subscriber or viewer or was used since `unused_since`, or another
+    // thread uses the geometry.
     void release_idle_geometry(Clock::time_point unused_since);
     [[nodiscard]] std::size_t geometry_bytes() const { return surface_bytes_; } // bytes of query state and surfaces
 

@@ -15,7 +15,8 @@
 namespace server::engine {
 namespace {
 
-// Fields of /proc/self/stat (proc_pid_stat(5)) after the second, a name in parentheses that may contain blanks.
+// Returns the fields of /proc/self/stat (proc_pid_stat(5)) from the third on. The second field is a name in parentheses
+// and may contain blanks.
 std::vector<std::string> stat_fields() {
     std::ifstream file("/proc/self/stat");
     std::string line;

@@ -70,7 +70,7 @@ struct Server::State {
           late_steps(options.read_late_step,
                      [this](const std::filesystem::path& dataset) { late_step_read(dataset); }) {
         services.make_room = [this] {
-            constexpr std::uint64_t scarce = 16; // less than a 16th is left
+            constexpr std::uint64_t scarce = 16; // more is freed if less than 1/16 is left
             sessions.make_room();
             if (memory.room() < memory.most() / scarce) memory.release();
         };
@@ -151,19 +151,20 @@ struct Server::State {
     }
     void know_of_end() { know({.problem = "the server is about to stop and draws no further pictures"}); }
 
-    // A late step has been read, or cannot be read: its views are drawn again, with what the dataset has now.
+    // Called when a late step has been read or cannot be read. Draws the dataset's views again, with the values that
+    // the dataset has now.
     void late_step_read(const std::filesystem::path& dataset) noexcept {
         try {
             for (const auto& loaded : catalog.loaded()) {
                 if (loaded->dataset()->directory() != dataset) continue;
                 try {
                     (void)loaded->refresh();
-                } catch (const ciel::Error&) { // it was replaced or is damaged; the watch notices
+                } catch (const ciel::Error&) { // the dataset was replaced or is damaged; the catalog's watch notices
                 }
             }
             for (const auto& entry : catalog.list())
                 if (entry.directory == dataset) tell_steps(entry.name);
-        } catch (const std::exception&) { // memory is short; the watch tells the steps
+        } catch (const std::exception&) { // memory is short; the catalog's watch notifies clients later
         }
     }
 

@@ -30,7 +30,7 @@ struct ServerOptions {
     int still_samples = frames::default_still_samples; // per pixel
     bool allow_append = false;                         // clients may append steps if they have the token
     ReadLateStep read_late_step;                       // empty: late steps are not read
-    std::filesystem::path late_folder;                 // of the files of late arrays whose dataset cannot be written to
+    std::filesystem::path late_folder;                 // for late arrays of datasets that cannot be written
     limits::Limits limits;
 };
 

@@ -22,7 +22,7 @@ std::string random_id() {
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-// `request` and `user` in the line are those of session.open.
+// `request` and `user` in the log line belong to the call of session.open.
 void tell_closed(const OpenSession& session, const char* why) {
     logging::log_event(logging::LogLevel::info, "session closed",
                        {{"session", logging::short_id(session.id())},
@@ -68,7 +68,7 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
         if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
         check();
     }
-    // Without the lock, because this may open a dataset.
+    // The scene is checked without the lock, because this may open a dataset and take long.
     auto first = sessions::accept_scene(services_, document(), 1, by.request);
     const std::scoped_lock lock(mutex_);
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
@@ -87,7 +87,8 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
     return session;
 }
 
-// Returns false if every session has a connection. The client of a dropped session sends its scene again.
+// Drops the session that has been unused for the longest time, among those without a connection. Returns false if every
+// session has a connection. The client of a dropped session sends its scene again.
 bool Sessions::drop_longest_left() {
     auto longest = sessions_.end();
     for (auto entry = sessions_.begin(); entry != sessions_.end(); ++entry)

@@ -20,8 +20,9 @@ public:
 
     // Returns the session with this id. Throws NotFound if there is no such session.
     [[nodiscard]] std::shared_ptr<OpenSession> find(const std::string& id);
-    // If there is no such session, opens it with this id, or with a random id if `id` is empty. `document` and `steps`
-    // are for a new session. Throws LimitReached, and the exceptions of accept_scene().
+    // Returns the session with this id. If there is none, opens a session with this id, or with a random id if `id` is
+    // empty. `document` and `steps` are used for a new session only. Throws LimitReached, and the exceptions of
+    // accept_scene().
     [[nodiscard]] std::shared_ptr<OpenSession> open(const std::string& id,
                                                     const std::function<nlohmann::json()>& document, const Caller& by,
                                                     const sessions::UndoRedoSteps& steps = {});
@@ -41,7 +42,7 @@ public:
     // Frees the geometry of sessions that have no connection and have not been used since `unused_since`.
     void release_geometry(Clock::time_point unused_since);
     // If less than a quarter of the server's memory is free, frees the geometry of sessions that have no connection,
-    // the longest unused first, until it is. Must be called without a lock of a session.
+    // the longest unused first, until a quarter is free. Must be called without a lock of a session.
     void make_room();
     void stop_opening(); // refuses new sessions and views from now on
     void close_all();

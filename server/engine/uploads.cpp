@@ -124,9 +124,9 @@ BegunUpload Uploads::begin(const std::string& name, const std::shared_ptr<store:
     for (const store::PlannedArray& array : begun.plan.arrays) {
         upload->arrays.push_back({array.info.name, array.doubles, upload->bytes, upload_bytes(array), 0});
         upload->bytes += upload_bytes(array);
-        upload->commit_bytes = std::max(upload->commit_bytes, 2 * upload_bytes(array)); // as sent, and in stored order
+        upload->commit_bytes = std::max(upload->commit_bytes, 2 * upload_bytes(array)); // 2 copies: as sent, as stored
     }
-    upload->commit_bytes += begun.plan.stored_bytes; // more than the point values that are made of a cell array
+    upload->commit_bytes += begun.plan.stored_bytes; // upper bound of the point values that are made of a cell array
     if (upload->bytes > limits_.upload_bytes)
         throw limits::LimitReached("the step has " + std::to_string(megabytes(upload->bytes)) +
                                    " MB; an upload may have at most " + std::to_string(limits_.upload_bytes >> 20) +
@@ -229,7 +229,7 @@ CommittedUpload Uploads::commit(const wire::UploadId& id, const BeforeArray& bef
                               std::to_string(array.bytes) + " bytes; send the rest, then commit");
     limits::Memory::Charge held(memory_, limits::Held::uploads);
     held.change(upload->commit_bytes);
-    store::Values values; // of one array at a time
+    store::Values values; // values of one array at a time
     const auto values_of = [&](std::size_t i) {
         before_array(i, upload->arrays.size());
         const Upload::Array& array = upload->arrays[i];

@@ -14,9 +14,9 @@
 namespace server::engine {
 
 using wire::UploadId;
-[[nodiscard]] std::string to_text(const wire::UploadId& id);                // 32 hexadecimal digits
-[[nodiscard]] wire::UploadId upload_id(const std::string& text);            // throws NotFound
-[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array); // size of the uploaded array in bytes
+[[nodiscard]] std::string to_text(const wire::UploadId& id);     // 32 hexadecimal digits
+[[nodiscard]] wire::UploadId upload_id(const std::string& text); // throws NotFound
+[[nodiscard]] std::uint64_t upload_bytes(const store::PlannedArray& array);
 
 struct BegunUpload {
     wire::UploadId id{}; // random, because any client that knows the id can add pieces

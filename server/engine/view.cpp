@@ -65,7 +65,7 @@ void View::acknowledge(std::uint32_t frame) {
     if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
     held_ = frame;
     ids_of_frame_.erase(ids_of_frame_.begin(), ids_of_frame_.lower_bound(frame));
-    quiet_until_ = Clock::now() + quiet; // restarts the pause, because the user may react to the frame
+    quiet_until_ = Clock::now() + quiet; // a still picture waits again, because the user may react to the frame
     schedule();
 }
 
@@ -161,7 +161,8 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     }
     gave_up_ = false;
     gave_way_ = 0;
-    // Otherwise a still picture would follow a slow frame at once and delay the next interactive frame.
+    // The pause begins now. Otherwise a still picture would follow a slow frame at once and delay the next interactive
+    // frame.
     quiet_until_ = Clock::now() + quiet;
     finish();
     lock.unlock();
@@ -228,11 +229,11 @@ void View::give_way() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);
     ++gave_way_;
-    quiet_until_ = Clock::now(); // the still picture is due at once, and its waiting time starts now
+    quiet_until_ = Clock::now(); // the still picture is due at once; its time in the queue counts from now
     finish();
 }
 
-// The view goes on even if no memory is left for the texts.
+// Uses run_job, so that the view goes on even if no memory is left for the log line.
 void View::fail(const FrameRequest& request, const std::string& sentence) {
     services_.metrics.count_failed_frame();
     run_job([&] {

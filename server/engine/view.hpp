@@ -51,20 +51,20 @@ public:
     void close();
 
     // The functions from here to fail() are for the frame loop. take() returns a request if a frame is due. Then
-    // exactly one call of deliver, give_up, give_way or fail must follow.
+    // exactly one call of deliver, give_up, wait, give_way or fail must follow.
     [[nodiscard]] std::optional<FrameRequest> take(bool still);
-    // Call this before deliver(). Notifies the client of what the frame lacks, if that has changed. `drawn`:
-    // remarks of the renderer, absent for an interactive picture. The remarks on the last still picture are then kept,
-    // because the notice would flicker otherwise.
+    // Notifies the client of missing or incomplete layers of the frame, if they have changed since the last
+    // notification. Call it before deliver(). `drawn`: remarks of the renderer, absent for an interactive picture. Then
+    // the remarks on the last still picture are kept, because the client's notice would flicker otherwise.
     void tell_lacking(const FrameRequest& request, std::vector<std::string> lacking, const geometry::Geometry& geometry,
                       const std::optional<std::vector<std::string>>& drawn);
-    // Sends `messages` with the frame number in each header; none if the client already has the content. `ids`: those
-    // of the arrays that the client has when it acknowledges the frame. If the connection has no room, the frame is
+    // Sends `messages` with the frame number in each header. `messages` is empty if the client already has the content.
+    // `ids`: the arrays that the client has when it acknowledges the frame. If the connection has no room, the frame is
     // dropped and made again later. Throws LimitReached if the frame is larger than the room in the server's memory.
     void deliver(const FrameRequest& request, std::vector<std::vector<std::uint8_t>> messages, wire::ArrayIds ids,
                  const FrameTimes& times);
-    void give_up(); // cancelled: the frame was superseded, or the view is closed
-    void wait();    // arrays are being read from the source: the client keeps its frame; a new version is offered later
+    void give_up();  // cancelled: the frame was superseded, or the view is closed
+    void wait();     // arrays are being read from the source: sends no frame; a new version is offered later
     void give_way(); // the still picture let other views go first; take() returns it again later
     void fail(const FrameRequest& request, const std::string& sentence);
 
@@ -79,7 +79,7 @@ private:
     // Requires mutex_ to be held and no frame in progress.
     [[nodiscard]] wire::PictureStream& pictures_now();
     void schedule();
-    // One more frame is assumed to have the size of the last frame.
+    // Returns whether one more frame may be sent. The frame is assumed to be as large as the last frame.
     [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
     void make_again_later(const FrameRequest& request); // requires mutex_ to be held
 
@@ -110,13 +110,13 @@ private:
     bool gave_up_ = false;
     unsigned gave_way_ = 0; // how often the wanted still picture has given way
     std::uint32_t sent_ = 0;
-    std::size_t frame_bytes_ = 0; // of the last frame's messages
+    std::size_t frame_bytes_ = 0; // size of the last frame's messages
     frames::ContentKey content_;
     double grid_ = 0;                                      // grid step of content_; 0 before the first geometry frame
     std::uint32_t held_ = 0;                               // last acknowledged frame
-    std::map<std::uint32_t, wire::ArrayIds> ids_of_frame_; // from frame held_ on
-    std::vector<std::string> lacking_, drawn_lacking_;     // remarks on the last frame; on the last still picture
-    std::vector<geometry::EmptyLayer> empty_;              // of the last frame
+    std::map<std::uint32_t, wire::ArrayIds> ids_of_frame_; // by frame, from held_ on
+    std::vector<std::string> lacking_, drawn_lacking_;     // remarks on the last frame, and on the last still picture
+    std::vector<geometry::EmptyLayer> empty_;              // layers of the last frame that show nothing
     std::vector<std::string> missing_;                     // layers of the last frame with values that are not finite
 };
 

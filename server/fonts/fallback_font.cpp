@@ -17,7 +17,7 @@ using Config = std::unique_ptr<FcConfig, Destroy<FcConfigDestroy>>;
 using Pattern = std::unique_ptr<FcPattern, Destroy<FcPatternDestroy>>;
 using CharSet = std::unique_ptr<FcCharSet, Destroy<FcCharSetDestroy>>;
 
-// The fonts that were installed at the first call; null if fontconfig has no configuration.
+// Returns the fonts that were installed at the first call; null if fontconfig has no configuration.
 FcConfig* installed() {
     static const Config config(FcInitLoadConfigAndFonts());
     return config.get();

@@ -84,7 +84,8 @@ struct Font::State {
         faces.push_back({file, index, face, 0});
         return true;
     }
-    // If no face has the character, returns {0, 0}: the box that the font shows for missing characters.
+    // Returns the index of a face and the character's glyph in this face. If no face has the character, returns {0, 0}:
+    // the box that the font shows for missing characters.
     std::pair<std::size_t, FT_UInt> find(char32_t character) {
         for (std::size_t i = 0; i < faces.size(); ++i)
             if (const FT_UInt glyph = FT_Get_Char_Index(faces[i].face, character); glyph != 0) return {i, glyph};

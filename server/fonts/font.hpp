@@ -55,7 +55,7 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// Malformed sequences become U+FFFD (Unicode 15, 3.9).
+// Returns the code points of `text`. Malformed sequences become U+FFFD (Unicode 15, 3.9).
 [[nodiscard]] std::u32string decode_utf8(std::string_view text);
 
 } // namespace server::fonts

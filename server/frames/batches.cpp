@@ -11,8 +11,8 @@ namespace server::frames {
 
 namespace {
 
-// 1/16384 of the color range is invisible, because a color channel has only 256 values. 0 means no quantization: on a
-// logarithmic scale, a step would be visible near zero.
+// Returns the step to which scalars are rounded. 1/16384 of the color range is invisible, because a color channel has
+// only 256 values. Returns 0 (no rounding) for a logarithmic scale, because a step would be visible near zero.
 double value_step(const color::ColorScale& scale) {
     constexpr double steps = 16384;
     const double width = scale.range[1] - scale.range[0];
@@ -26,7 +26,8 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     using Clock = std::chrono::steady_clock;
     const auto started = Clock::now();
     auto planes = geometry::shader_planes(geometry);
-    // Rounding moves the points of a cap by up to one grid step. Without this shift, the plane would clip the cap.
+    // A cap is the section of a mesh in a clip plane. Rounding moves the points of a cap by up to one grid step, so the
+    // planes are shifted by one step. Otherwise a plane would clip its cap.
     for (auto& plane : planes) plane[3] += static_cast<float>(grid);
     std::vector<wire::Primitives> meshes;
     for (const geometry::Drawable& drawable : geometry.drawables) {

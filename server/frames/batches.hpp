@@ -7,7 +7,7 @@
 
 namespace server::frames {
 
-// Identifies the content of a geometry frame. The camera is not part of it, so that turning the camera sends no frame.
+// Identifies the content of a geometry frame. The camera is not included, so that turning the camera sends no frame.
 using ContentKey = std::string;
 
 // Returns the messages of a geometry frame, each with a header, and the ids of their arrays. An empty scene gives one

@@ -9,19 +9,19 @@ namespace {
 using std::chrono::seconds;
 
 constexpr double tolerance = 0.03; // seconds; the animation frames and the decoder of a browser cause shorter delays
-constexpr double very_late = 0.2;  // seconds; no browser delays a frame this much, so the window shrinks after one
+constexpr double very_late = 0.2;  // seconds; no browser delays a frame this much, so one such frame shrinks the window
 constexpr double queued = 0.1;     // seconds; a later frame has waited in a queue of the line
 // The window shrinks after this many late frames in a row. A queue delays all frames, but a busy browser only some.
 constexpr unsigned late_in_a_row = 5;
-// The same while the window doubles and the frames become later and later, which only a growing queue causes.
+// The same number while the window doubles and frames become later and later, which only a growing queue causes.
 constexpr unsigned late_while_doubling = 3;
 constexpr double noise = 0.005; // seconds by which a frame in a growing queue may be earlier than the one before
 // seconds. A frame that takes longer is slow because of its size; the window does not grow for it.
 constexpr double longest_route = 1;
-constexpr seconds soonest_lasts{10}; // then soonest_ is measured again, because the route may have become longer
+constexpr seconds soonest_lasts{10}; // soonest_ is then measured again, because the route may have become longer
 constexpr seconds rate_lasts{30};
 constexpr seconds best_lasts{2}; // period of Highest, so that a rate is used for 2 to 4 seconds
-constexpr double full = 0.9;     // of the best rate; at a lower rate, a late frame was not delayed by the line
+constexpr double full = 0.9;     // share of the best rate; at a lower rate, a late frame was not delayed by the line
 constexpr std::size_t most_frames = 64;
 
 } // namespace
@@ -99,7 +99,8 @@ void CongestionWindow::Highest::add(double rate, bool begins) {
 void CongestionWindow::shrink(const Frame& frame, double carried, double late, Time now) {
     if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
-    // The lesser of two while the window doubles: few rates are known yet, and frames that arrive together seem fast.
+    // While the window doubles, the lesser of two rates is used. Few rates are known yet, and frames that arrive
+    // together seem fast.
     const double sure = doubles_ && late_frames_ > 1 ? std::min(carried, carried_by_last_) : carried;
     const bool is_full = sure >= full * carried_.value() && (!rate_ || sure >= rate_->value);
     const auto bytes = static_cast<double>(frame.bytes), flight = static_cast<double>(bytes_on_the_way());
@@ -107,7 +108,7 @@ void CongestionWindow::shrink(const Frame& frame, double carried, double late, T
     if (!std::exchange(doubles_, false) || late > queued)
         // A busy browser acknowledges late even with few bytes in flight, so the window allows the highest rate so far.
         window_ = std::max(delivered_.value() * reach, bytes);
-    else if (is_full) // takes away the queue that doubling has made
+    else if (is_full) // empties the queue that doubling has built up
         window_ = std::max(std::min(std::max(delivered_.value(), carried_.value()) * reach, flight), bytes);
     else
         window_ = flight + bytes;
@@ -118,7 +119,7 @@ void CongestionWindow::grow(std::size_t bytes) {
     const auto more = static_cast<double>(bytes);
     if (doubles_)
         *window_ += more;
-    else // by one frame per round trip, but at most by the bytes that the line carries in `tolerance` seconds
+    else // grows by one frame per round trip, but at most by the bytes that the line carries in `tolerance` seconds
         *window_ += std::min(more, rate() > 0 ? rate() * tolerance : more) * more / *window_;
 }
 

@@ -20,8 +20,9 @@ public:
     // `unknown_line`: number of frames that may be in flight before the first acknowledgement.
     explicit CongestionWindow(std::uint64_t unknown_line) : unknown_line_(unknown_line) {}
 
-    // Frame numbers must ascend. A still picture takes no room, because a newer frame replaces the part that is not
-    // sent yet. Frames after an unacknowledged still picture do not measure the line, because it delays them.
+    // Frame numbers must ascend. A still picture takes no room, because a newer frame replaces its bytes that are not
+    // sent yet. Frames after an unacknowledged still picture do not measure the line, because the still picture delays
+    // them.
     void sent(std::uint32_t frame, std::size_t bytes, bool still, Time now);
     // Acknowledges a frame and all earlier frames. Returns true if at least one of them was in flight.
     bool acknowledged(std::uint32_t frame, Time now);
@@ -70,7 +71,7 @@ private:
     std::optional<Known> rate_;
     Highest delivered_; // bytes in flight per round trip; an upper estimate, so that the window is never too small
     Highest carried_;   // rate of the line
-    double carried_by_last_ = 0; // rate by the frame acknowledged before
+    double carried_by_last_ = 0; // rate measured by the previous acknowledged frame
     Time best_since_{};
     std::optional<double> window_; // bytes; none before the first acknowledgement
     Time may_shrink_{};

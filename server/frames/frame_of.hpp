@@ -1,4 +1,4 @@
-// The frame that shows a scene: what the renderer draws, from which camera and on which background.
+// Makes the renderer's frame of a scene: primitives, volumes, camera, lighting and background.
 #pragma once
 
 #include "geometry/geometry.hpp"
@@ -7,8 +7,8 @@
 
 namespace server::frames {
 
-// Returns a frame without annotations. `geometry` must outlive it. The default camera of a scene without camera leaves
-// room for annotations (annotations/make_room.hpp). Throws Error if the font is not installed.
+// Returns a frame without annotations. `geometry` must outlive the frame. The default camera of a scene without camera
+// leaves room for annotations (annotations/make_room.hpp). Throws Error if the font is not installed.
 [[nodiscard]] render::Frame frame_of(const geometry::Geometry& geometry, const scene::CheckedScene& checked, int width,
                                      int height, int samples);
 

@@ -17,8 +17,8 @@ inline constexpr int default_still_samples = 4; // samples per pixel of a still 
 void check_picture_size(const limits::Limits& limits, std::int64_t width, std::int64_t height);
 // Draws a picture without annotations, because the client draws them. The renderer owns the picture, which is valid
 // until the next draw call. Without `moving_scale`, draws a still picture with `still_samples` samples per pixel. With
-// it, draws an interactive picture with one sample; its sizes and line widths are multiplied by `moving_scale`. Throws
-// Error, and the exceptions of `check_wanted` (render::Frame).
+// `moving_scale`, draws an interactive picture with one sample per pixel. Its size and line widths are multiplied by
+// `moving_scale`. Throws Error, and the exceptions of `check_wanted` (render::Frame).
 [[nodiscard]] const render::Image& draw(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
                                         geometry::ViewSize size, std::optional<double> moving_scale,
                                         render::Renderer& renderer, int still_samples,
@@ -26,9 +26,10 @@ void check_picture_size(const limits::Limits& limits, std::int64_t width, std::i
 // Returns a still picture with annotations, for a file. Widths of lines and points grow in proportion to the text.
 [[nodiscard]] render::Frame picture_of(const geometry::Geometry& geometry, const scene::CheckedScene& checked,
                                        geometry::ViewSize size, int samples = default_still_samples);
-// Returns one sentence for each part that the last picture leaves out or shows only partly.
+// Returns one sentence for each item of the scene that the last picture leaves out or shows only partly.
 [[nodiscard]] std::vector<std::string> remarks_on(const geometry::Geometry& geometry, const render::Renderer& renderer);
-// If `moving` is null, the image is a PNG. Sets the encoding time, sizes and flags in `header`.
+// Returns the message of an image frame. Encodes the image with `moving`, or as PNG if `moving` is null. Sets the
+// encoding time, sizes and flags in `header`.
 [[nodiscard]] std::vector<std::uint8_t> image_message(wire::FrameHeader& header, const render::Image& image,
                                                       wire::PictureStream* moving);
 // Writes the frame number into a finished message. The number is known only when the frame is sent.

@@ -51,15 +51,16 @@ public:
     }
 
     [[nodiscard]] double nearest() const { return nearest_; }
-    // Negative if this corner is behind the camera.
+    // Returns the depth of the nearest corner of the bounds. Negative if the corner is behind the camera.
     [[nodiscard]] double nearest_corner() const { return nearest_corner_; }
 
-    // In the axes of the camera: right, up, forward (depth).
+    // Returns the coordinates along the axes of the camera: right, up, forward (depth).
     [[nodiscard]] ciel::Vec3d place(const ciel::Vec3f& p) const {
         const ciel::Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
         return {ciel::dot(right_, at), ciel::dot(up_, at), ciel::dot(forward_, at)};
     }
-    // For the sides right, left, top, bottom and near: negative if the point is outside of the side.
+    // Returns a number for each of the sides right, left, top, bottom and near: negative if the point is outside of the
+    // side.
     [[nodiscard]] std::array<double, 5> inside(const ciel::Vec3d& at) const {
         const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
         return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
@@ -70,7 +71,8 @@ public:
         for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
         return static_cast<std::uint8_t>(bits);
     }
-    // Returns infinity if nothing is visible. Overwrites both arguments.
+    // Returns the least depth of a polygon inside the frustum; infinity if nothing is inside. Overwrites both
+    // arguments.
     [[nodiscard]] double nearest_of(std::vector<ciel::Vec3d>& corners, std::vector<ciel::Vec3d>& clipped) const {
         for (std::size_t side = 0; side < 5; ++side) {
             ciel::clip_polygon(
@@ -146,14 +148,15 @@ double largest_offset(const geometry::Geometry& geometry) {
     return largest;
 }
 
-// Distance from the origin at which the grid need not be finer than the resolution of floats.
+// Returns the distance from the origin at which the grid need not be finer than the resolution of floats.
 double looked_at(const geometry::Geometry& geometry, const annotations::ViewCamera& camera) {
     const double nearest =
         std::max(ciel::length(camera.position - geometry.origin), ciel::length(camera.target - geometry.origin));
     return std::min(nearest, largest_offset(geometry));
 }
 
-// Returns a larger step if floats are coarser, or if a coordinate in steps would be longer than 30 bits.
+// Returns the grid step for `wanted`. It is larger than `wanted` if floats are coarser, or if a coordinate in steps
+// would be longer than 30 bits.
 double step_for(double wanted, const geometry::Geometry& geometry, const annotations::ViewCamera& camera) {
     const double finest = std::ldexp(largest_offset(geometry), -29);
     return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));

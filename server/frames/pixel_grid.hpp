@@ -10,7 +10,8 @@ namespace server::frames {
 // Returns the grid step that this camera needs, a power of two in length units. It is at most a quarter of a pixel at
 // the nearest visible triangle, line or point, so that rounding moves no point by more than 0.22 pixels. It is at most
 // 1/32 of the height of triangles that are lit without normals, because their shading would show the rounding. But it
-// is never less than the resolution of floats at the camera's position and target, or than 2^-29 of the largest offset.
+// is never less than the resolution of floats at the camera's position and target, or than 2^-29 of the largest offset
+// of the bounds from the origin.
 [[nodiscard]] double needed_grid(const geometry::Geometry& geometry, const annotations::ViewCamera& camera,
                                  const geometry::ViewSize& size);
 

@@ -1,5 +1,5 @@
 // Size of interactive pictures: the size of the view, but at most 1280 x 720 pixels. If drawing takes more than 0.3 s
-// (for example volumes or many transparent parts in software), width and height are divided by 2 or 4.
+// (for example volumes or many transparent layers, drawn in software), width and height are divided by 2 or 4.
 #pragma once
 
 #include "geometry/view_size.hpp"

@@ -13,7 +13,8 @@ struct TestPictureResult {
     std::string problem{}; // a sentence; empty if the test passed
 };
 
-// Also checks that the memory is enough for a usual still picture. Throws Error if drawing fails.
+// Draws the test picture and checks its pixels. Also checks that the memory is enough for a usual still picture. Throws
+// Error if drawing fails.
 [[nodiscard]] TestPictureResult draw_test_picture(render::Renderer& renderer);
 [[nodiscard]] bool is_test_picture(const render::Image& image);
 

@@ -16,7 +16,7 @@ bool listed(const std::vector<std::string>& names, std::string_view name) {
     return std::any_of(names.begin(), names.end(), [&](const auto& other) { return same_ignoring_case(other, name); });
 }
 
-// Returns text that is not HOST or HOST:PORT unchanged.
+// Removes the port from HOST:PORT. Returns any other text unchanged.
 std::string_view without_port(std::string_view host) {
     const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // skips the colons of [IPv6]
     const auto colon = host.find(':', end_of_address);
@@ -25,7 +25,7 @@ std::string_view without_port(std::string_view host) {
     return has_port ? host.substr(0, colon) : host;
 }
 
-// DNS rebinding cannot produce such a Host header: the browser sends the name of the attacking site.
+// A loopback address in Host rules out DNS rebinding: there the browser sends the host name of the attacking site.
 bool is_loopback_address(std::string_view name) {
     return name.starts_with("127.") && name.find_first_not_of("0123456789.") == std::string_view::npos;
 }

@@ -1,4 +1,5 @@
-// Access checks: Host header (against DNS rebinding), Origin header (against other sites), token, user of the peer.
+// Access checks: Host header (against DNS rebinding), Origin header (against other sites), token, operating system's
+// user of a local client.
 #pragma once
 
 #include "gateway/gateway.hpp"
@@ -28,12 +29,12 @@ struct AccessRules {
 // Accepts an absent Origin (as in requests of scripts), the server's own origin, and rules.origins.
 [[nodiscard]] bool origin_allowed(const AccessRules& rules, std::string_view origin, std::string_view host);
 
-// The token is in `Authorization: Bearer`, else in `?token=`, else in the cookie. Returns an empty text without token.
+// Returns the token of `Authorization: Bearer`, else of `?token=`, else of the cookie; empty if the request has none.
 [[nodiscard]] std::string presented_token(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] bool token_allowed(const AccessRules& rules, std::string_view presented); // compares in constant time
 
 enum class Claim { token, own_user, wrong_token, none };
-// Never own_user for a proxied request, because a proxy forwards requests of any user, or if Host is not a local name.
+// Returns own_user only if Host is a local name and the request is not proxied. A proxy forwards requests of any user.
 [[nodiscard]] Claim claim_of(const AccessRules& rules, const Request& request, const Target& target);
 [[nodiscard]] inline bool is_let_in(Claim claim) { return claim == Claim::token || claim == Claim::own_user; }
 
@@ -42,11 +43,11 @@ enum class Claim { token, own_user, wrong_token, none };
 
 // Returns the value of a cookie in a Cookie header (RFC 6265); empty if absent.
 [[nodiscard]] std::string cookie_value(std::string_view header, std::string_view name);
-// For a browser that sent ?token=. `secure`: whether the proxy in front of the server uses TLS.
+// Returns the Set-Cookie value that stores the token in a browser. `secure`: whether the proxy in front uses TLS.
 [[nodiscard]] std::string token_cookie(const AccessRules& rules, bool secure);
 
-// `header`: all lines of the header Sec-WebSocket-Protocol, joined by commas.
 inline constexpr std::string_view subprotocol = "ciel.v1";
+// `header`: all lines of the header Sec-WebSocket-Protocol, joined by commas.
 [[nodiscard]] bool offers_subprotocol(std::string_view header);
 
 // Returns whether Sec-WebSocket-Key is 16 bytes in base64 (RFC 6455, 4.2.1).

@@ -21,7 +21,8 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using boost::system::error_code;
 
-// JSON-RPC methods must not run on socket threads, because they may take long. Resumes on the coroutine's executor.
+// Runs `work` on a thread of `workers`, and resumes on the coroutine's executor. JSON-RPC methods must not run on
+// socket threads, because they may take long.
 template <typename Work>
 asio::awaitable<std::string> on_worker(asio::thread_pool& workers, Work work) {
     auto task = [&work]() -> asio::awaitable<std::string> { co_return work(); };

@@ -18,15 +18,16 @@ struct ConnectionRules {
     std::size_t refused = 32;    // most refused connections open at once; further refused connections get no answer
 };
 
-// Called from any thread. Callbacks must not block or call Connections, because `cut` is called with its mutex locked.
-// While the ticket is being destroyed, each may still be called once, and `drain` also shortly afterwards.
+// The hooks are called from any thread. They must not block or call Connections, because `cut` runs while the mutex of
+// Connections is locked. While the ticket is being destroyed, each hook may still be called once. `drain` may also be
+// called shortly afterwards.
 struct ConnectionHooks {
     std::function<void()> drain; // asks the connection to end soon
     std::function<void()> cut;   // closes the connection at once
 };
 
 // Thread-safe. At a limit, closes the oldest connection that is counted for this limit, but never a WebSocket or a
-// connection with an authorized request in progress. If there is no other connection, refuses the new connection.
+// connection with an authorized request in progress. If no connection can be closed, refuses the new connection.
 class Connections {
     struct Entry;
 
@@ -59,8 +60,8 @@ public:
     };
 
     // `key`: counting_key() of the peer. `needs_room`: another connection must be closed, because file descriptors are
-    // short. Returns null if the connection is refused and must be closed without an answer: if `needs_room` is true,
-    // or if ConnectionRules::refused other refused connections are open.
+    // short. A refused connection gets a ticket with is_refused(). Returns null if a refused connection must be closed
+    // without an answer: `needs_room` is true, or ConnectionRules::refused other refused connections are open.
     [[nodiscard]] std::shared_ptr<Ticket> open(const std::string& key, bool needs_room, ConnectionHooks hooks);
 
     [[nodiscard]] std::size_t count() const; // including refused and closed connections that have not ended yet

@@ -1,4 +1,5 @@
-// A time-out for reads. Unlike beast::tcp_stream, it leaves the socket open, so that an answer can still be sent.
+// A time-out for reads. Unlike the time-out of beast::tcp_stream, it leaves the socket open, so that an answer can
+// still be sent.
 #pragma once
 
 #include "gateway/asio.hpp"

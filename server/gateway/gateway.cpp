@@ -107,7 +107,8 @@ private:
         }
     }
 
-    // No destructors run, because running calls still refer to the service. An interrupted commit changes no dataset.
+    // Runs no destructors, because running calls still refer to the service. An interrupted append.commit changes no
+    // dataset.
     [[noreturn]] static void abandon() {
         spdlog::warn("the server stopped before all requests were answered");
         spdlog::shutdown();

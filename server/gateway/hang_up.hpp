@@ -7,8 +7,8 @@ namespace server::gateway {
 
 enum class PeerState { waits, sends, hung_up };
 
-// Looks at the next byte without removing it, and without blocking. May return `waits` even after async_wait, because
-// another thread can read the bytes before this call.
+// Looks at the next byte without removing it, and without blocking. May return `waits` even after async_wait has
+// reported bytes, because another thread can read them before this call.
 [[nodiscard]] PeerState state_of_peer(asio::ip::tcp::socket& socket);
 
 } // namespace server::gateway

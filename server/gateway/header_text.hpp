@@ -18,7 +18,8 @@ namespace server::gateway {
     return text;
 }
 
-// Calls visit(item) for each item without white space around it, until visit returns true. Returns whether it did.
+// Calls visit(item) for each item without white space around it, until visit returns true. Returns false if no visit
+// did.
 template <typename Visit>
 bool any_item(std::string_view text, char separator, const Visit& visit) {
     while (!text.empty()) {

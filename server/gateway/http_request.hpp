@@ -13,13 +13,14 @@ namespace server::gateway {
 
 using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>;
 
-// Leaves out the body and the members that the connection sets: remote, id, address, is_of_own_user.
+// Converts a message without its body. The connection sets remote, id, address and is_of_own_user.
 [[nodiscard]] Request plain_request(const HttpRequest& message);
 
 // Returns the response to a read or parse error, or nothing if the peer has closed the connection.
 [[nodiscard]] std::optional<Response> refused_bytes(const boost::system::error_code& error);
 
-// A head must have one Host, and the end of the body must be known (RFC 9112, 6). Close the connection after a refusal.
+// Refuses a head of HTTP/1.1 without exactly one Host, and a body whose end is unknown (RFC 9112, 6). The caller must
+// close the connection after a refusal.
 [[nodiscard]] std::optional<Response> refused_head(const HttpRequest& message);
 
 // Refuses a WebSocket handshake without subprotocol ciel.v1 or with an invalid key (RFC 6455, 4.2.1).

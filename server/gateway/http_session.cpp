@@ -107,7 +107,7 @@ private:
         co_return !error;
     }
 
-    // Also true for an empty buffer and for a lone CR.
+    // Returns whether the buffer begins with CR LF. Also true for an empty buffer and for a lone CR.
     bool begins_with_blank_line() const {
         const auto data = buffer_.data();
         const std::string_view text(static_cast<const char*>(data.data()), data.size());
@@ -139,7 +139,7 @@ private:
         return request;
     }
 
-    // The second member is true if the connection must end after the answer.
+    // Checks the head of a request. The second result is true if the connection must end after the answer.
     std::pair<Resolved, bool> look_at(const HttpRequest& message, Request& request) {
         const std::string client = client_of(request);
         if (start_.ticket->is_refused()) return {refused(too_many_connections()), true};
@@ -203,7 +203,8 @@ private:
                             {"note", "further refusals for this address are not logged for a minute"}});
     }
 
-    // Slows down guessing. If wrong_tokens_waiting answers are already delayed, answers 429 at once.
+    // Delays the answer to a wrong token, so that guessing is slow. If Limits::wrong_tokens_waiting answers are already
+    // delayed, answers 429 at once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (state_.log_limiter.allows("token " + logged_address(request.address)))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
@@ -249,7 +250,7 @@ private:
 
     asio::awaitable<void> upgrade(HttpRequest message, Client client) {
         *start_.on_drain = nullptr;
-        *start_.on_cut = nullptr; // a WebSocket is never cut
+        *start_.on_cut = nullptr; // a WebSocket is never closed to make room
         deadline_.stop();
         co_await websocket_session(std::move(stream_), std::move(message), std::move(client), start_.on_drain, state_,
                                    workers_);
@@ -324,7 +325,8 @@ private:
         co_return !error;
     }
 
-    // If the server closed while the peer still sends, the connection would be reset and the answer lost.
+    // Reads until the peer closes. If the server closed while the peer still sends, TCP would reset the connection, and
+    // the answer would be lost.
     asio::awaitable<void> linger() {
         error_code error;
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);

@@ -9,8 +9,8 @@
 namespace server::gateway {
 
 // The current drain or cut handler of a connection; empty when none is needed. Runs on the connection's executor. A
-// drain handler is called up to three times. After the first call the connection may finish its answers, after the
-// second it must end without them, and after the third without waiting for the client.
+// drain handler is called up to three times. After the first call, the connection ends when its answers are sent. After
+// the second call, it ends without the answers. After the third call, it does not wait for the client either.
 using OnDrain = std::shared_ptr<std::function<void()>>;
 
 struct ConnectionStart {

@@ -20,12 +20,12 @@ constexpr std::chrono::milliseconds pause_when_short{10}; // connections that we
 constexpr std::chrono::milliseconds pause_after_failure{100};
 
 std::size_t count_files() {
-    std::error_code none; // without /proc the count is 0, and is_short_of_files() uses descriptor numbers only
+    std::error_code none; // without /proc, the count is 0, which may be too low
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// The kernel gives a new socket the lowest free number, so all lower numbers are in use. Other connections may have
-// higher numbers, so all connections are counted, too.
+// Estimates the number of open descriptors. A new socket gets the lowest free number, so all lower numbers are in use.
+// Other connections may have higher numbers, so the connections are counted, too.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, GatewayState& state) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + state.connections.count()) + 1;
@@ -111,7 +111,7 @@ namespace {
 void tell_not_accepted(GatewayState& state, const std::exception& failure) noexcept {
     try {
         if (state.log_limiter.allows("accept")) spdlog::warn("a connection was not accepted: {}", failure.what());
-    } catch (const std::exception&) { // there is no memory for the line either
+    } catch (const std::exception&) { // there is no memory for the log line either
     }
 }
 

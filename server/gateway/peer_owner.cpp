@@ -105,7 +105,7 @@ bool OwnSockets::contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tc
         return socket_name(at, peer.port()) + " " + socket_name(end, own.port());
     };
     if (from.is_v6() || to.is_v6()) return lists(v6_, socket(from, to), asked);
-    // A client that connects to ::ffff:127.0.0.1 has an IPv6 socket. Only the IPv6 table lists this socket.
+    // A client that connects to ::ffff:127.0.0.1 has an IPv6 socket, which only the IPv6 table lists.
     return lists(v4_, socket(from, to), asked) || lists(v6_, socket(mapped(from), mapped(to)), asked);
 }
 

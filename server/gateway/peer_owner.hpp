@@ -1,4 +1,4 @@
-// Finds the user who owns the peer process of a connection within this machine. Linux lists sockets with their owners
+// Finds the user whose process is the client of a connection within this machine. Linux lists sockets with their owners
 // in /proc/net/tcp and /proc/net/tcp6 (proc(5)).
 #pragma once
 
@@ -30,7 +30,7 @@ struct SocketRow {
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
 // Returns "LOCAL REMOTE" for each established socket that a process of `user` holds. Returns nothing for user 65534
-// (nobody), because in a user namespace every user from outside has this number.
+// (nobody), because inside a user namespace (container) all outside users have this number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.
@@ -39,10 +39,11 @@ public:
     using Clock = std::chrono::steady_clock;
     using Open = std::function<std::unique_ptr<std::istream>(const char* path)>;
 
-    OwnSockets(); // reads the kernel's tables
+    OwnSockets(); // reads the tables in /proc/net
     explicit OwnSockets(Open open) : open_(std::move(open)) {}
 
-    // Reading a table takes milliseconds. It is read again only if its last reading began before `asked`.
+    // Returns whether the client's end of a connection is such a socket. Reading a table takes milliseconds, so a table
+    // is read again only if its last reading began before `asked`. `own`: the server's end.
     [[nodiscard]] bool contain(const asio::ip::tcp::endpoint& peer, const asio::ip::tcp::endpoint& own,
                                Clock::time_point asked);
 
@@ -58,8 +59,8 @@ private:
     Table v4_{"/proc/net/tcp"}, v6_{"/proc/net/tcp6"};
 };
 
-// Finds the user that owns the other end of a local connection, in the kernel's table of TCP connections. Reads the
-// table on its own thread, because with thousands of connections reading it takes long.
+// Finds out whether the client of a local connection is a process of the server's user. Reads the tables in /proc/net
+// on a separate thread, because reading them takes long if the machine has thousands of connections.
 class PeerOwners {
 public:
     // Await this on the connection's executor.

@@ -1,4 +1,5 @@
-// The address for which a connection is counted: the address of the peer, or the address that a trusted proxy forwards.
+// The address under which the connections of a client are counted: the address of the peer, or the address that a
+// trusted proxy forwards.
 #pragma once
 
 #include "gateway/asio.hpp"
@@ -24,11 +25,12 @@ private:
     std::vector<asio::ip::network_v6> v6_;
 };
 
-// The nearest proxy has written the last element. Removes a port and brackets. Returns nothing if it is no address.
+// Returns the last address of X-Forwarded-For, without a port and brackets. The nearest proxy has written this address.
+// Returns nothing if the last element is not an address.
 [[nodiscard]] std::optional<asio::ip::address> last_forwarded_for(std::string_view header);
 
-// The key of a loopback address is empty: loopback is not counted. The key of an IPv6 address is its first 64 bits,
-// because a host may choose the other bits.
+// Returns the text under which connections of an address are counted. The key of a loopback address is empty, because
+// loopback has no limit. The key of an IPv6 address has its first 64 bits, because a host may choose the other bits.
 [[nodiscard]] std::string counting_key(const asio::ip::address& address);
 
 // Returns the counting_key() of an address in text form, or the address itself if its key is empty.

@@ -37,7 +37,7 @@ Response refuse_token() {
     return response;
 }
 
-// Browsers send a preflight before a page of a listed origin may POST JSON.
+// Answers OPTIONS. Browsers send such a preflight before a script of another origin may POST JSON.
 Response preflight(const Request& request, const Route& route) {
     Response response = sentence(204, "");
     response.body.clear();
@@ -76,7 +76,7 @@ std::optional<Response> refusal(const GatewayState& state, const Request& reques
     return std::nullopt;
 }
 
-// Relative links break without the slash.
+// Redirects from PREFIX to PREFIX/, because relative links break without the slash.
 Response to_prefix(const GatewayState& state, const Request& request) {
     Response response = sentence(308, "The client is at " + state.prefix + "/");
     const auto query = std::min(request.target.find('?'), request.target.size());

@@ -48,7 +48,7 @@ asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, Request& request, 
     };
     co_await on_worker(workers, [&] {
         peer->text(request.body, answer);
-        request.body = std::string(); // the call keeps what it parsed, and counts it
+        request.body = std::string(); // a queued call owns the parsed text and counts its memory
         return std::string();
     });
     if (!pending->answer) watch(stream, pending, peer, workers);

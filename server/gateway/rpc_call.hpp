@@ -7,9 +7,9 @@
 
 namespace server::gateway {
 
-// Await on the stream's executor, while nothing else reads from the stream. If the peer closes its side before the
-// answer, slow methods are cancelled and answer with an error. Frees the body of `request` before it waits for a
-// queued call.
+// Await this on the stream's executor. Nothing else may read from the stream meanwhile. If the peer closes its side
+// before the answer, slow methods are cancelled and answer with an error. Frees the body of `request` before it waits
+// for a queued call.
 [[nodiscard]] asio::awaitable<Response> rpc_call(beast::tcp_stream& stream, Request& request, bool has_token,
                                                  GatewayState& state, asio::thread_pool& workers);
 

@@ -22,7 +22,8 @@ using FrameBytes = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 // Payload bytes of a piece. A text waits until the current piece has been sent, which takes 52 ms at 10 Mbit/s.
 inline constexpr std::uint32_t piece_bytes = 64 << 10;
-// A frame of measuring_bytes or more begins with a short piece. The client measures the line rate from arrival times.
+// A frame of measuring_bytes or more begins with a short piece. From the arrival times of the pieces, the client
+// measures the line rate.
 inline constexpr std::uint32_t first_piece_bytes = 4 << 10, measuring_bytes = first_piece_bytes + (32 << 10);
 static_assert(wire::frame_header_bytes + piece_bytes <= wire::longest_message);
 

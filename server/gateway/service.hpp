@@ -17,8 +17,9 @@
 
 namespace server::gateway {
 
-// A WebSocket sets all three callbacks; an HTTP POST sets none. They never block and may be called from any thread
-// until the Client is destroyed. On a slow socket, a newer frame replaces older frames.
+// One client of the process. A WebSocket sets all three callbacks; an HTTP POST sets none. The callbacks never block
+// and may be called from any thread until the Client is destroyed. On a slow socket, a newer frame replaces waiting
+// frames.
 struct Client {
     std::uint64_t id = 0;
     std::string remote;     // address, for logs
@@ -31,10 +32,11 @@ struct Client {
     std::function<bool(std::size_t bytes)> has_room{}; // returns whether a frame of this size may be sent now
 };
 
-// Called exactly once, from any thread. The answer is empty if none is due. Must not throw.
+// Called exactly once, from any thread. The text is empty if the message needs no answer. Must not throw.
 using Answer = std::function<void(std::string text)>;
 
-// text() and binary() run on worker threads, one at a time. closed() may be called meanwhile. No function throws.
+// The process's side of one client. text() and binary() run on worker threads, one at a time. closed() may be called
+// meanwhile. No function throws.
 class Peer {
 public:
     virtual ~Peer() = default;

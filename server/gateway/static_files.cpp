@@ -46,7 +46,7 @@ std::string content_tag(std::string_view content) {
     return tag;
 }
 
-// Images and most fonts are already compressed.
+// Excludes images and most fonts, because their formats are already compressed.
 bool is_compressible(std::string_view mime) {
     return mime.starts_with("text/") || mime == "application/json" || mime == "application/wasm" ||
            mime == "application/manifest+json" || mime == "image/svg+xml" || mime == "image/x-icon" ||
@@ -83,7 +83,8 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// The build of the web client names such files assets/NAME-HASH.EXT, with a hash of 8 characters.
+// Returns whether the name contains a hash of the content. The build of the web client names such files
+// assets/NAME-HASH.EXT, with a hash of 8 characters.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;

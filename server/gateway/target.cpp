@@ -81,7 +81,7 @@ std::string normal_prefix(const std::string& prefix) {
     std::string result = prefix;
     while (result.ends_with('/')) result.pop_back();
     if (!result.empty() && result.front() != '/') result.insert(result.begin(), '/');
-    for (const std::string_view removed : {"//", "/./", "/../"}) // browsers and proxies remove such parts
+    for (const std::string_view removed : {"//", "/./", "/../"}) // browsers and proxies remove them
         if ((result + '/').find(removed) != std::string::npos)
             throw ciel::Error("the prefix \"" + prefix +
                               "\" must not have an empty part or the parts . and ..; change --prefix");

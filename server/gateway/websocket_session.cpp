@@ -20,7 +20,7 @@ namespace {
 namespace websocket = beast::websocket;
 using websocket::close_code;
 
-constexpr int unsent_bytes = 128 << 10; // in the socket buffer; small, because a text cannot overtake these bytes
+constexpr int unsent_bytes = 128 << 10; // in the socket buffer; small, because texts cannot overtake these bytes
 constexpr std::size_t close_reason_bytes = 123; // RFC 6455, 5.5.1: 125 bytes of a control frame less 2 of the code
 // Largest valid close code (RFC 6455, 7.4.2). Beast itself refuses smaller codes that are invalid.
 constexpr unsigned last_close_code = 4999;
@@ -53,7 +53,8 @@ private:
         co_await timer.async_wait(asio::redirect_error(asio::use_awaitable, ignored));
     }
     void request_close(close_code code, std::string_view reason) {
-        const std::size_t bytes = std::min(reason.size(), close_reason_bytes);
+        std::size_t bytes = std::min(reason.size(), close_reason_bytes);
+        while (bytes > 0 && bytes < reason.size() && (reason[bytes] & 0xC0) == 0x80) --bytes; // keeps characters whole
         if (!close_) close_ = websocket::close_reason(code, boost::string_view(reason.data(), bytes));
         send_queue_changed_.cancel();
     }
@@ -83,7 +84,7 @@ private:
     asio::steady_timer inbox_changed_, send_queue_changed_, coroutine_ended_;
     std::optional<websocket::close_reason> close_; // requested close; write() sends it after the waiting messages
     bool ended_ = false, closes_now_ = false, writing_ = false;
-    int coroutines_ = 0, unanswered_ = 0; // running; messages taken from the inbox but not answered
+    int coroutines_ = 0, unanswered_ = 0; // running coroutines; messages taken from the inbox but not answered
 };
 
 asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
@@ -102,7 +103,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
         response.set("X-Request-Id", request_);
     }));
     socket_.control_callback([this](websocket::frame_type kind, boost::beast::string_view) {
-        // Disconnects on an invalid close code, because such a code must not be sent back.
+        // Disconnects on an invalid close code, because Beast would send the code back.
         if (kind == websocket::frame_type::close && socket_.reason().code > last_close_code) cut();
     });
     socket_.read_message_max(limits.message_bytes);
@@ -211,7 +212,7 @@ asio::awaitable<void> WebSocketSession::handle_in_order() {
     }
 }
 
-// Returns the reason to close the connection, or an empty text.
+// Handles an upload piece. Returns the reason to close the connection, or an empty text.
 std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& reply) {
     const std::span message(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     auto problem = peer_->binary(message);
@@ -219,7 +220,8 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
     return problem.value_or(std::string());
 }
 
-// Slow methods answer later from other threads, possibly after the socket has closed. Later texts do not wait.
+// Returns the callback for one answer. Slow methods call it later from other threads, possibly after the socket has
+// closed. Meanwhile, later texts are handled.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), send_queue = send_queue_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) send_queue->push_text(std::move(text));
@@ -260,7 +262,8 @@ asio::awaitable<void> WebSocketSession::write() {
     cut(); // also ends a pending read from a lost peer
 }
 
-// First call: closes after all answers. Second: without waiting for answers. Third: without the client's close.
+// First call: closes after all answers. Second call: closes without waiting for answers. Third call: disconnects
+// without waiting for the client's close frame.
 void WebSocketSession::drain() {
     if (!close_) return request_close(close_code::going_away, "the server stops");
     const bool is_third = std::exchange(closes_now_, true);

@@ -8,8 +8,8 @@
 
 namespace server::gateway {
 
-// The caller sets remote, user, has_token and the request of `client`: the id of `upgrade`, which the answer and the
-// log have. Calls get ids of their own. Returns when the connection, its calls and writes have ended.
+// The caller sets remote, user, has_token and request of `client`. `request` is the id of `upgrade` in the HTTP
+// response and in the log; each call gets a separate id. Returns when the connection, its calls and writes have ended.
 asio::awaitable<void> websocket_session(beast::tcp_stream stream, HttpRequest upgrade, Client client, OnDrain on_drain,
                                         GatewayState& state, asio::thread_pool& workers);
 

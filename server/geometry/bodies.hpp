@@ -18,7 +18,7 @@ struct MeasuredPatch {
     std::string type = {}; // from the solver; empty if not known
 };
 
-// Returns the size of every patch of the mesh that has faces. Reads all points of these faces.
+// Returns every patch of the mesh that has faces, with its size. Reads all points of these faces.
 [[nodiscard]] std::vector<MeasuredPatch> patches_of(const store::Dataset& dataset, const store::Step& step);
 
 // Returns the patches that are bodies: walls that lie inside `domain` along at least two axes. A wall is also a body if
@@ -28,7 +28,7 @@ struct MeasuredPatch {
 // name says that flow passes through it ("inlet") or that it is not the surface of a body ("interface").
 [[nodiscard]] std::vector<MeasuredPatch> bodies_of(std::span<const MeasuredPatch> patches, const BoundingBox& domain);
 
-// REQUIRES: at least one patch.
+// Returns the box around all patches. REQUIRES: at least one patch.
 [[nodiscard]] BoundingBox box_around(std::span<const MeasuredPatch> patches);
 
 } // namespace server::geometry

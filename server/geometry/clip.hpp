@@ -9,10 +9,11 @@ namespace server::geometry {
 // Returns the kept half-spaces of the visible clip layers, in drawing order, relative to the geometry's origin.
 // If nothing thicker than clip_slack remains of the bounding box, returns one half-space that keeps nothing.
 [[nodiscard]] std::vector<ciel::HalfSpace> clip_planes(const scene::CheckedScene& checked, const Geometry& geometry);
-// The pointers are valid as long as `checked`.
+// Returns the visible clip layers with caps. The pointers are valid as long as `checked`.
 [[nodiscard]] std::vector<const scene::ClipLayer*> capping(const scene::CheckedScene& checked);
 
-// In length units. Without this slack, rounding would cut holes into caps and slices that lie in the plane itself.
+// Returns the tolerance of clipping in length units. Without the tolerance, rounding would cut holes into caps and
+// slices that lie in a clip plane.
 [[nodiscard]] double clip_slack(const Geometry& geometry);
 // Returns the clip planes as (normal, offset), moved outwards by clip_slack. A position is kept if dot(normal,
 // position) + offset >= 0.

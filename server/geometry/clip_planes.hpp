@@ -11,7 +11,7 @@ public:
 
     [[nodiscard]] bool cuts() const { return !planes_.empty(); }
     [[nodiscard]] bool keeps(const ciel::Vec3f& point) const;
-    // Returns the corners of the remaining part (Sutherland and Hodgman 1974); empty if all is cut away.
+    // Returns the corners of the kept part of a convex polygon (Sutherland and Hodgman 1974); empty if all is cut away.
     [[nodiscard]] std::vector<ciel::Vec3d> rest_of(std::vector<ciel::Vec3d> corners) const;
     [[nodiscard]] const std::vector<ciel::HalfSpace>& planes() const { return planes_; }
 

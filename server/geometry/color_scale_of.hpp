@@ -13,7 +13,7 @@ namespace server::geometry {
 // See color::is_shown_by.
 [[nodiscard]] bool is_shown_by(const scene::Coloring& coloring, std::array<double, 2> data_range);
 
-// As in a scene's coloring. Leaves out map, range and members with default values.
+// Returns the color scale as in a scene's coloring, without map, range and members with default values.
 [[nodiscard]] nlohmann::json json_of(const color::ColorScale& scale);
 
 } // namespace server::geometry

@@ -130,7 +130,7 @@ std::size_t Contoured::memory_bytes() const {
 void Cut::use_field(const std::string& name, store::ScalarField new_field, ciel::Extraction extraction) {
     const bool same_topology = query && new_field.topology == field.topology;
     shape = nullptr;
-    field_name.clear(); // stays empty if anything below throws
+    field_name.clear(); // stays empty if the code below throws
     if (!same_topology) {
         query.reset();
         field = std::move(new_field);

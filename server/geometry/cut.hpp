@@ -17,8 +17,8 @@ struct OfArray {
     std::optional<double> value; // the iso-value, if the surface is colored by `array`
 };
 
-// The scalars of one shape from one array. If the array is on cells or boundary faces, the polygons share no vertices,
-// and each polygon has the value of its cell or face.
+// A shape that is colored by one array: the scalars of its vertices. If the array is on cells or boundary faces, the
+// polygons share no vertices, and each polygon has the value of its cell or face.
 struct Painted {
     std::shared_ptr<const Shape> shape;
     std::shared_ptr<const Shape> sound; // without cells that are not sound (sound_shape.hpp); often `shape` itself
@@ -71,7 +71,8 @@ struct Contoured {
     void forget() { *this = {}; } // call when the lines are not shown
 };
 
-// One iso-value `nu` of one field. `query` has a copy of the field.
+// The surface of one field at one iso-value `nu`. A slice is a surface of a field of distances. `query` has a copy of
+// the field.
 struct Cut {
     store::ScalarField field;
     std::string field_name;

@@ -5,7 +5,8 @@
 
 namespace server::geometry {
 
-// Offsets from the geometry's origin, possibly with duplicates. `cutting`: clip planes, with normals of any length.
+// Returns the corners of this part as offsets from the geometry's origin, possibly with duplicates. `cutting`: clip
+// planes, with normals of any length.
 [[nodiscard]] std::vector<ciel::Vec3d> corners_of_cut_box(const Geometry& geometry,
                                                           const std::vector<ciel::HalfSpace>& cutting);
 

@@ -22,7 +22,8 @@ struct Candidate {
     std::size_t step = 0;
 };
 
-// The scalar of a vector or tensor is its magnitude.
+// Returns the point arrays that vary, each with the first step at which it varies. Scalars come first. For a vector or
+// tensor, the candidate is its magnitude.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -40,7 +41,8 @@ std::vector<Candidate> candidates(const store::Dataset& dataset) {
     return found;
 }
 
-// Returns 0 for a mesh with few blocks, because every surface crosses many of its blocks.
+// Returns the share of blocks that the iso-surface of a typical value crosses. Returns 0 for a mesh with few blocks,
+// because every surface crosses many of its blocks.
 double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     constexpr std::size_t fewest_blocks = 27;
     const auto ranges = dataset.block_ranges(store::parse_scalar(dataset, of.scalar), of.step);
@@ -57,7 +59,8 @@ double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     return static_cast<double>(crossed) / static_cast<double>(blocks);
 }
 
-// The iso-surface of the first scalar may fill the mesh, as a surface of noise does.
+// Moves a scalar with a clear iso-surface to the front, if the surface of the first scalar fills the mesh, as a surface
+// of noise does.
 void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
     constexpr double many = 1.0 / 3;
     if (scalars.empty()) return;
@@ -74,7 +77,8 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-// Reads about 100,000 values in runs that are spread over the array, so that few stretches are read.
+// Reads about 100,000 values in runs that are spread over the array, so that few stretches (64 KiB) of the file are
+// read.
 std::vector<double> sample_of(const store::StoredScalar& values) {
     constexpr std::size_t runs = 256, run = 400;
     const std::size_t stride = std::max(values.size() / runs, run);
@@ -95,7 +99,7 @@ double sensible_value(store::LoadedDataset& loaded, const std::string& scalar, s
     const double low = histogram.quantile(0.05), high = histogram.quantile(0.95);
     if (high / 2 - low / 2 > few_bins * (histogram.range[1] / 2 - histogram.range[0] / 2)) return low / 2 + high / 2;
 
-    // Outliers made the bins too wide.
+    // Outliers have made the bins too wide, so the percentiles of a sample are used.
     std::vector<double> sample = sample_of(*loaded.stored_scalar(scalar, step));
     if (sample.empty()) return 0;
     const auto at = [&](double share) {
@@ -126,7 +130,8 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-// Also checks the source cell array: a cell without a finite value may have corners with finite values.
+// Returns whether all values of a point array are finite at the step. Also checks the cell array from which it was
+// made, because a cell without a finite value may have corners with finite values.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
@@ -135,7 +140,8 @@ bool is_finite(const store::Step& step, const std::string& array) {
     return !written->second.late && std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
-// A run that diverged is shown at a step before it diverged. REQUIRES: at least one step.
+// Returns the last step with the most arrays that are finite, so that a simulation that diverged is shown before it
+// diverged. REQUIRES: at least one step.
 std::size_t last_whole_step(const store::Dataset& dataset) {
     std::size_t last = 0;
     std::ptrdiff_t most = -1;
@@ -170,7 +176,8 @@ const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::St
     return first;
 }
 
-// Prefers an axis along which the bodies span the whole domain, as cylinders and wings between walls do.
+// Returns the axis perpendicular to the slice. Prefers an axis along which the bodies span the whole domain, as
+// cylinders and wings between walls do.
 std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
     constexpr double whole = 0.98, as_thin = 1.01;
     const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
@@ -182,7 +189,8 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
     return axis;
 }
 
-// If a patch has the type empty or wedge, the mesh has one layer of cells along its thinnest axis.
+// Returns the axis along which the mesh has only one layer of cells. If a patch has the type empty or wedge, this is
+// the mesh's thinnest axis. Otherwise returns nothing.
 std::optional<std::size_t> thin_axis(std::span<const MeasuredPatch> patches, const BoundingBox& domain) {
     if (std::ranges::none_of(patches,
                              [](const MeasuredPatch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))

@@ -7,8 +7,9 @@
 
 namespace server::geometry {
 
-// Returns `middle`, the middle of the mesh, if floats relative to it are precise to 1/30 of a pixel at the camera's
-// target; else `last`, the result of the last call, if `last` is as precise; else the camera's target.
+// Returns `middle`, the middle of the mesh, if floats relative to `middle` are precise to 1/30 of a pixel at the
+// camera's target. Otherwise returns `last`, the result of the last call, if `last` is as precise. Otherwise returns
+// the camera's target.
 [[nodiscard]] ciel::Vec3d drawing_origin(const ciel::Vec3d& middle, const ciel::Vec3d& last,
                                          const annotations::ViewCamera& camera);
 

@@ -14,7 +14,8 @@
 
 namespace server::geometry {
 
-// Positions are offsets from Geometry::origin. Points of a boundary surface are mesh vertices: a == b.
+// Positions are offsets from Geometry::origin. Points of a boundary surface are mesh vertices: EdgePoint::a ==
+// EdgePoint::b.
 struct Shape {
     ciel::Surface surface;
     std::vector<ciel::Index> indices; // three per triangle, two per line, one per point
@@ -90,7 +91,7 @@ struct Geometry {
     ciel::Vec3d bounds_min{}, bounds_max{};
     bool double_positions = false;             // whether the mesh has double positions
     std::array<double, 6> first_mesh_bounds{}; // of the dataset's first mesh, at every step: x0, x1, y0, y1, z0, z1
-    double time = 0;                           // of the step shown
+    double time = 0;                           // time of the step shown
     std::size_t step = 0;
     std::string length_units; // empty if not known
     std::size_t triangles = 0;
@@ -98,7 +99,7 @@ struct Geometry {
     // One sentence per layer that is left out or uncolored because its array has no usable values at this step.
     std::vector<std::string> lacking;
     std::string awaited; // why a layer waits for arrays that are being read from the source; empty: no layer waits
-    std::vector<std::string> remarks; // one sentence per part of the scene that is shown differently or only in part
+    std::vector<std::string> remarks; // one sentence per item of the scene that is shown differently or only partly
     std::vector<EmptyLayer> empty;    // visible layers that show nothing; they have no legend
 };
 [[nodiscard]] bool is_empty(const Geometry& geometry, const std::string& layer);

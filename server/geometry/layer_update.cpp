@@ -20,7 +20,7 @@ std::array<double, 2> range_of(const store::Dataset& dataset, const std::string&
     const auto& range =
         name.component ? info.component_ranges.at(static_cast<std::size_t>(*name.component)) : info.range;
     if (doubles) return range;
-    // The ends of a magnitude's range may be doubles that no float is equal to.
+    // The range is rounded to floats, because the ends of a magnitude's range may be doubles that no float is equal to.
     return {static_cast<float>(range[0]), static_cast<float>(range[1])};
 }
 

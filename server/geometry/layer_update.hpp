@@ -37,7 +37,7 @@ struct LayerUpdate {
 
 private:
     [[nodiscard]] const store::Step& step() const { return dataset->steps()[out.step]; }
-    // Changes the field so that its surfaces are relative to out.origin, and returns it.
+    // Returns the field, changed so that its surfaces are relative to out.origin.
     [[nodiscard]] store::ScalarField drawn(store::ScalarField field) const;
     // Updates `bytes` after each surface, so that a scene that is too large is refused early. Throws LimitReached.
     void count(std::size_t before, std::size_t after);
@@ -46,7 +46,8 @@ private:
 
     void add(Painted& painted, const std::shared_ptr<const Shape>& shape, const scene::Coloring& coloring,
              const scene::Layer& layer, bool lit, const OfArray& of = {});
-    // More lines for a legend: range of the cell array from which the array was made, and number of cells left out.
+    // Returns more lines for a legend: range of the cell array from which the array was made, and number of cells left
+    // out.
     [[nodiscard]] std::vector<std::string> legend_lines(const std::string& scalar) const;
     // Adds a remark, only once, with the number of cells that are left out because they have no number for the array.
     void tell_left_out(const std::string& scalar, bool is_cut) const;

@@ -14,7 +14,8 @@ std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
     return triangles_shape(ciel::polygons_of_cells(cut->surface, cells));
 }
 
-// Arrays on patches have values only on the boundary. Therefore the color comes from the inner array of the same name.
+// Returns the coloring of caps. Arrays on patches have values only on the boundary, so a cap gets the color of the
+// inner array of the same name.
 scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
     constexpr std::string_view patch = "patch:";
     if (color.array.empty()) return color;
@@ -93,7 +94,7 @@ bool LayerUpdate::operator()(const scene::Layer& layer, const scene::SurfaceLaye
     return !surface.groups.empty() || add_caps(layer, surface, *kept); // patches enclose no solid, so they get no caps
 }
 
-// A plane that lies in a side of the mesh gets no cap, because the faces of the boundary are there.
+// A plane that lies in a side of the mesh gets no cap, because the boundary faces of this side are already drawn.
 bool LayerUpdate::add_caps(const scene::Layer& layer, const scene::SurfaceLayer& surface, const Boundary& solid) {
     for (std::size_t i = 0; i < caps.size(); ++i) {
         Cut& cut = cuts[{layer.id, i}];

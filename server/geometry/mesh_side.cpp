@@ -10,7 +10,8 @@
 namespace server::geometry {
 namespace {
 
-// The error of a double distance comes from the coordinates from which the distance was computed.
+// Returns the rounding error of the distances. If they are doubles, the error comes from the coordinates from which the
+// distances were computed.
 double rounding(const store::ScalarField& distances) {
     const auto [low, high] = distances.field->range();
     if (!distances.has_double_positions()) return 1e-6 * (high - low);

@@ -95,7 +95,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
     geometry->empty.insert(geometry->empty.end(), empty.begin(), empty.end());
     const auto is_late = [](const auto& array) { return array.second.late; };
     if (std::ranges::any_of(step.arrays, is_late) && loaded->dataset() != dataset && geometry->awaited.empty())
-        geometry->awaited = "the step has just been read from its source"; // `dataset` lacks the ranges of its arrays
+        geometry->awaited = "the step has just been read from its source"; // `dataset` does not have its ranges yet
     dataset->check_intact();
     geometry->bytes = memory_bytes();
     return geometry;

@@ -16,7 +16,7 @@ using color::SlabVertex;
 
 namespace {
 
-// The points of the polygons must be vertices of the SlabMesh already.
+// Writes polygons as triangle fans. The points of the polygons must be vertices of the SlabMesh already.
 class FanWriter {
 public:
     explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
@@ -33,7 +33,8 @@ public:
     }
 
 private:
-    // The first vertex of a fan has the limits of one cell; therefore two fans cannot share it.
+    // Returns `point`, or a copy of it if another fan starts at `point`. The first vertex of a fan has the limits of
+    // one cell, so two fans cannot share it.
     [[nodiscard]] ciel::Index own(ciel::Index point) {
         if (taken_[point] == 0) {
             taken_[point] = 1;

@@ -7,8 +7,8 @@
 
 namespace server::geometry {
 
-// The property on the whole mesh. Does not own the arrays. A cell is filled, which means a part of the volume, only if
-// its vertices have finite values.
+// The property of a volume: a scalar on the whole mesh. Does not own the arrays. A cell is filled, that is, belongs to
+// the volume, only if its vertices have finite values.
 struct SlabProperty {
     const ciel::Topology& topology;
     std::span<const float> value;          // one for each mesh vertex
@@ -17,8 +17,8 @@ struct SlabProperty {
 };
 
 // Sink for `sweep`. Leaves out cells that are not filled. Writes a point once for each block that has the point's edge.
-// Therefore the number of points depends on the block size. The polygons do not depend on it, but their triangle fans
-// may start at other corners.
+// Therefore the number of points depends on the block size. The polygons do not depend on the block size, but their
+// triangle fans may start at other corners.
 struct SlabSink {
     SlabProperty property;
 

@@ -8,8 +8,8 @@
 
 namespace server::geometry {
 
-// Returns `shape` itself if no polygon is left out. Empty names are ignored. Throws store::NotWritten if an array was
-// not written at the step.
+// Returns `shape` without the polygons of cells that are not sound for one of the arrays. Returns `shape` itself if no
+// polygon is left out. Empty names are ignored. Throws store::NotWritten if an array was not written at the step.
 [[nodiscard]] std::shared_ptr<const Shape> sound_shape(const std::shared_ptr<const Shape>& shape,
                                                        std::span<const std::string> arrays, std::size_t step,
                                                        store::LoadedDataset& loaded);

@@ -18,7 +18,8 @@ namespace server::geometry {
                                                    int width, int height,
                                                    double fov_degrees = annotations::ViewCamera{}.fov_degrees,
                                                    bool parallel = false, const std::optional<BoundingBox>& of = {});
-// The scene's camera, or default_view if the scene has no camera. Throws like default_view.
+// Returns a viewpoint with the scene's camera, or with default_view if the scene has no camera. Throws like
+// default_view.
 [[nodiscard]] annotations::Viewpoint viewpoint_of(const Geometry& geometry, const scene::CheckedScene& checked,
                                                   int width, int height);
 

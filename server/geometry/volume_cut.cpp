@@ -16,9 +16,11 @@ namespace {
 // about ten times a second. A slice of a mesh with more than `usual_vertices` has more triangles, so the mesh gets
 // fewer slices. With fewer than `least_slices`, the slabs would be too thick to show the detail of the mesh.
 constexpr double most_slices = 24, least_slices = 8, usual_vertices = 200'000;
-// If a slab exceeded the optical depth usual_loss: up to `times_more` times as many slices, at most `most_of_all`.
+// If a slab would exceed the optical depth usual_loss, there are up to `times_more` times as many slices, but at most
+// `most_of_all`.
 constexpr double usual_loss = 0.25, times_more = 2, most_of_all = 96;
-// The same in a still picture. A mesh below `large_mesh` gets more slices if the opacity is steeper than `steep`.
+// Limits of the number of slices in a still picture. A mesh with fewer vertices than `large_mesh` gets more slices if
+// the opacity is steeper than `steep`.
 constexpr double fewest_in_all = 200, most_in_all = 1000, large_mesh = 800'000, steep = 10;
 
 double moving_slices(std::size_t vertices, double loss) {
@@ -137,7 +139,8 @@ scene::VolumeLayer::Direction slab_direction(const scene::CheckedScene& checked)
 
 namespace {
 
-// False if the axis is nearest to the viewing direction and the field of view is 30 degrees.
+// Returns whether some camera ray is nearly parallel to the slabs. False if the axis is nearest to the viewing
+// direction and the field of view is 30 degrees.
 bool sees_along_slabs(const ciel::Vec3d& view, std::size_t axis, const annotations::ViewCamera& camera) {
     constexpr double degree = std::numbers::pi / 180, widest = 85 * degree;
     const double corner = camera.parallel ? 0 : std::tan(camera.fov_degrees / 2 * degree) * std::hypot(1.0, 16.0 / 9.0);
@@ -156,7 +159,8 @@ ciel::Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotatio
     using Direction = scene::VolumeLayer::Direction;
     ciel::Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
-    // While the camera moves, slices along the view would have to be cut again for each picture.
+    // While the camera moves, slices perpendicular to the viewing direction would have to be cut again for each
+    // picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
     for (std::size_t other = 1; other < 3; ++other)

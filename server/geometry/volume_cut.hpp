@@ -21,7 +21,8 @@ struct Slabs {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// At the greatest opacity of the points. `unit_length`: length after which a ray has the opacity of the points.
+// Returns the optical depth of a ray of this length at the greatest opacity of the points. `unit_length`: length after
+// which a ray has the opacity of the points.
 [[nodiscard]] double largest_loss(std::span<const std::array<double, 2>> opacity_points, double unit_length,
                                   double length);
 
@@ -48,7 +49,7 @@ struct VolumeCut {
     std::shared_ptr<const color::SlabMesh> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
-    std::size_t stride = 1; // of the slices that are cut: 1, or the stride of interactive pictures
+    std::size_t stride = 1; // stride of the slices that are cut: 1, or that of interactive pictures
     std::uint64_t identity, revision = 0;
 
     VolumeCut();
@@ -62,7 +63,8 @@ struct VolumeCut {
     [[nodiscard]] std::size_t memory_bytes() const;
 };
 
-// All volumes use the direction of the first one: slabs of two directions cannot be sorted together by depth.
+// Returns the direction of the first volume. All volumes use it, because slabs of two directions cannot be sorted
+// together by depth.
 [[nodiscard]] scene::VolumeLayer::Direction slab_direction(const scene::CheckedScene& checked);
 // Returns the requested axis, unless some camera ray is nearly parallel to the slabs: such a ray may stay within one
 // slab, where values are known only at its end. Then, and if no axis is requested, returns the axis nearest to the

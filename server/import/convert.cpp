@@ -29,7 +29,8 @@ public:
           folder_(std::filesystem::absolute(options.output).parent_path()),
           arrays_(selection_, source, FieldComponents(std::move(components)), folder_) {}
 
-    // Returns nullopt and writes no dataset if most steps have other components than the chosen components.
+    // Returns nullopt and writes no dataset if most steps have other components of an array than the chosen components
+    // (FieldComponents).
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
@@ -81,7 +82,8 @@ private:
         selection_.check();
     }
 
-    // If the input has several steps, a later step could have the array.
+    // Finds an unknown --array if the input has only one step. If there are more steps, a later step could have the
+    // array.
     void check_only_step(const InputGrids& input_grids) {
         if (source_.times().size() > 1) return;
         for (const FieldName& field : field_names(input_grids)) selection_.saw(field);
@@ -120,8 +122,8 @@ private:
         arrays_.make(step_, mesh_, input_grids, topology, point_maker_, know);
     }
 
-    // Returns whether some of the steps between the first and the last one list an array that both of them lack. It
-    // would not be in the dataset.
+    // Returns whether some of the steps between the first and the last one list an array that both of them lack. Such
+    // an array would not be in the dataset.
     bool has_more_arrays_between() {
         constexpr std::size_t most_listed = 16;
         const std::size_t last = source_.times().size() - 1;
@@ -142,14 +144,15 @@ private:
         return false;
     }
 
-    // A mesh may move and come back until the last step.
+    // Also called for the middle step, because a mesh may move and be back at its first positions at the last step.
     bool has_mesh_of_first(const InputGrids& input_grids) const {
         const Fingerprint print = fingerprint(input_grids);
         return print.cells == print_.cells && print.positions == print_.positions;
     }
 
-    // Reads the last step. If it and the one in the middle have the mesh of the first one, adds all steps, and those
-    // between the first and the last one are late. Otherwise returns false; the steps are then read again.
+    // Reads the middle and the last step. If both have the mesh of the first step, adds the steps between the first and
+    // the last step as late steps, then adds the last step, and returns true. Otherwise returns false, and the caller
+    // reads all steps after the first.
     bool leave_steps_late() {
         const std::vector<double>& times = source_.times();
         if (options_.all || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()) ||
@@ -243,7 +246,7 @@ private:
         mesh_index_ = writer_->add_mesh(mesh_.cells->matched, mesh_.boundary, mesh_.point_of_vertex, mesh_.cell_of_cell,
                                         mesh_.groups, {vertices, cells});
         mesh_.cells.reset();
-        ::malloc_trim(0); // malloc would keep the memory of the blocks' parts
+        ::malloc_trim(0); // otherwise malloc keeps the freed memory of the blocks
         coordinates_index_ = 0;
         mesh_.positions = writer_->positions(mesh_index_, coordinates_index_);
         return true;
@@ -307,7 +310,7 @@ private:
         header.input_edges = mesh_.input_edges;
         header.input_cells = mesh_.input_cells;
         writer_.emplace(options_.output, header, options_.force);
-        for (const std::string& sentence : result_.notes) writer_->add_note(sentence); // earlier notes
+        for (const std::string& sentence : result_.notes) writer_->add_note(sentence);
         for (const std::string& sentence : source_.notes()) note(sentence);
     }
 

@@ -23,11 +23,11 @@ struct Options {
     SourceOptions source;
 };
 
-// In bytes; of the step at which the import needed most beyond the reader.
+// Memory in bytes at the step at which the import needed most memory in addition to that of the reader.
 struct MemoryUse {
     std::uint64_t reader = 0; // in use after the step had been read
     std::uint64_t beyond = 0; // highest use while the step was written, less `reader`
-    std::uint64_t cells = 0;  // of the input
+    std::uint64_t cells = 0;  // number of cells of the input
 };
 
 struct ConvertResult {
@@ -35,7 +35,7 @@ struct ConvertResult {
     std::vector<std::string> lost; // the sentences in `notes` that report data missing from the dataset
     std::uint64_t cells = 0;
     std::uint64_t bad_cells = 0;
-    std::size_t late_steps = 0; // number of steps that are read when they are needed
+    std::size_t late_steps = 0; // number of late steps (store/late_files.hpp)
     MemoryUse memory;
 };
 

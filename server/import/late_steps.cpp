@@ -109,11 +109,11 @@ private:
         tell(0.7, "making arrays", step);
         const auto topology = [this]() -> const ciel::Topology& { return topology_of_mesh(); };
         const std::vector<std::string> lost_before = arrays_->lost();
-        CollectedArrays collected; // written only if the step is whole
+        CollectedArrays collected; // written only after check_whole
         arrays_->make(of_source, mesh_, input_grids, topology, point_maker_,
                       std::bind_front(&CollectedArrays::add, &collected));
         check_whole(step, lost_before);
-        if (facts_.state_of(*source_, of_source) != state) refuse_change(step); // the arrays may be of two runs
+        if (facts_.state_of(*source_, of_source) != state) refuse_change(step); // changed while it was read
         tell(0.9, "writing", step);
         for (const store::ArrayValues& array : collected.arrays()) {
             const store::ArrayValues named{store::with_valid_text(array.info), array.values};
@@ -128,7 +128,7 @@ private:
         std::fflush(stdout);
     }
 
-    // A step that was written without a part of the source would never be read again.
+    // Throws Error if data of the step was lost, because a step that has been written is never read again.
     // `lost_before`: arrays that were lost at the steps before, sorted.
     void check_whole(std::size_t step, const std::vector<std::string>& lost_before) const {
         std::vector<std::string> lost = source_->lost();
@@ -153,7 +153,7 @@ private:
                           " since it was imported; import it again with --force");
     }
 
-    // Some sentences do not say which source they mean.
+    // Adds the path of the source, because some sentences do not name it.
     [[nodiscard]] std::string naming_source(const std::string& sentence) const {
         if (facts_.inputs().empty()) return sentence;
         const std::string& source = facts_.inputs().front();

@@ -1,6 +1,6 @@
-// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts it as a child process. It reads
-// "progress SHARE PHASE", "note SENTENCE" and "memory FIGURES" lines on standard output, and one error sentence on
-// standard error.
+// ciel-import: reads simulation results and writes the dataset NAME.ciel. `ciel` starts this program as a child
+// process. `ciel` reads its "progress SHARE PHASE", "note SENTENCE" and "memory FIGURES" lines from standard output,
+// and one error sentence from standard error.
 #include "ciel/types.hpp"
 #include "import/convert.hpp"
 #include "import/late_steps.hpp"
@@ -59,7 +59,7 @@ std::size_t step_number(const std::string& text) {
     return number;
 }
 
-// The options of the import count, because the arrays of all steps must be made in one way.
+// Late steps are read with the options of the import, because the arrays of all steps must be made in the same way.
 void refuse_with_late_steps(const server::importing::ImportValues& values) {
     for (const char* option : {"output", "list", "array", "weld", "no-weld", "force", "plot3d"})
         if (!values.at(option).empty())
@@ -174,7 +174,7 @@ int run(const Options& options) {
                 something_lost);
 }
 
-// Some errors, such as errors about the mesh, name no file.
+// Adds the path of the input, because some errors, such as errors about the mesh, name no file.
 std::string naming_input(const Options& options, const std::string& sentence) {
     const auto names = [&](const std::string& path) { return sentence.find(path) != std::string::npos; };
     const bool named =

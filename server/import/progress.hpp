@@ -14,8 +14,8 @@ void install_cancel_handlers();
 void ignore_cancelling();
 
 // Prints "progress SHARE PHASE" if the phase changed or the percentage is larger than in the last line. `share` is in
-// [0, 1]. If a reader starts again, nothing is printed until `share` is larger than before, so that the supervisor can
-// notice a stall. Throws Cancelled after SIGINT or SIGTERM.
+// [0, 1]. If a reader restarts its progress at 0, nothing is printed until `share` is larger than before, so that the
+// supervisor can notice a stall. Throws Cancelled after SIGINT or SIGTERM.
 void progress(double share, const std::string& phase);
 
 } // namespace server::importer

@@ -33,7 +33,7 @@ Words last_words(const std::string& errors) {
     return words;
 }
 
-// The exit code shows that memory ran out, or a message of the dynamic loader or of the C++ runtime does.
+// Returns whether the exit code, or a message of the dynamic loader or the C++ runtime, shows that memory ran out.
 bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
     if (end.exit_code == import_out_of_memory) return true;
     if (!last.own.empty()) return false;

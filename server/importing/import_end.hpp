@@ -6,7 +6,8 @@
 
 namespace server::importing {
 
-// `end`: the end of a ciel-import without success. `values`: its options; the sentence names the first input.
+// Returns the error sentence, which names the first input. `end`: how ciel-import ended, without success. `values`: the
+// options of ciel-import.
 [[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const ImportValues& values,
                                        const ImportLimits& limits);
 

@@ -44,8 +44,8 @@ bool is_imported(const fs::path& input, const fs::path& target) {
     return is_dataset(target) && fs::last_write_time(target / store::layout::commit_marker) >= last_change(input);
 }
 
-// Marks a copy that an earlier version of CIEL made without a mark. Ignores errors: the mark refuses appending, and
-// nobody can append to a copy that cannot be written.
+// Marks a copy that an earlier version of CIEL made without a mark. Ignores errors: the mark only makes writers refuse
+// to append, and a copy that cannot be written cannot be appended to.
 void complete_sign(const fs::path& input, const fs::path& target) {
     try {
         store::mark_as_copy(target, input);

@@ -7,7 +7,7 @@ namespace server::importing {
 
 struct Servable {
     std::filesystem::path path;
-    std::filesystem::path input; // that was to be imported to `path`; empty for a dataset or folder of the user
+    std::filesystem::path input; // input of the import to `path`; empty for a dataset or folder of the user
     std::string problem;         // the importer's sentence if the import failed; then `path` does not exist
 };
 

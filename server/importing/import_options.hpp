@@ -47,7 +47,8 @@ inline constexpr ImportOption import_options[] = {
 // If ciel-import fails, it prints one sentence with this prefix to standard error.
 inline constexpr std::string_view import_error_prefix = "ciel-import: ";
 
-// Exit code if an allocation failed. The caller then writes the error sentence, because it knows the memory limit.
+// Exit code if an allocation failed. The caller then writes the error sentence, because only the caller knows the
+// memory limit.
 inline constexpr int import_out_of_memory = 4;
 
 // Values by ImportOption::name. A flag on the command line has one value.

@@ -16,7 +16,8 @@ namespace server::importing {
 struct ImportLimits { // 0: no limit
     double memory_gigabytes = default_memory_gigabytes();
     double seconds = 0;
-    // In seconds. A valid import has its longest time without progress while it builds a huge mesh.
+    // Longest time without progress, in seconds. A valid import makes no progress for the longest time while it builds
+    // a huge mesh.
     double stalled_seconds = 1800;
 };
 
@@ -35,7 +36,8 @@ struct ImportEnd {
 [[nodiscard]] ImportEnd run_import(const ImportValues& values, const ImportLimits& limits,
                                    const ImportListener& listener, const std::atomic<bool>& cancel);
 
-// Looks in the directory of this program and on PATH. Throws Error if it is not found.
+// Returns the path of ciel-import, in the directory of this program or on PATH. Throws Error if ciel-import is not
+// found.
 [[nodiscard]] std::filesystem::path find_import_program();
 
 } // namespace server::importing

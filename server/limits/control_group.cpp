@@ -22,7 +22,7 @@ struct GroupFiles {
     const char *limit, *used;
 };
 
-// Version 2 has a single hierarchy without controller names.
+// Control groups of version 2 have a single hierarchy, whose line in /proc/self/cgroup names no controllers.
 std::vector<GroupFiles> control_groups(const fs::path& root) {
     std::vector<GroupFiles> found;
     std::ifstream groups(root / "proc/self/cgroup"); // lines of "number:controllers:group"
@@ -48,7 +48,8 @@ void for_limits(const GroupFiles& files, Visit&& visit) {
     }
 }
 
-// A control group counts inactive memory pages of files as used although they are reclaimable.
+// Returns the bytes of inactive memory pages of files. A control group counts them as used, although they are
+// reclaimable.
 std::uint64_t file_pages(const fs::path& directory) {
     std::ifstream statistics(directory / "memory.stat");
     std::uint64_t number = 0;

@@ -78,7 +78,8 @@ struct LimitRow {
 [[nodiscard]] std::string option_of(const LimitRow& row);      // "--limit-message-bytes"
 [[nodiscard]] std::string environment_of(const LimitRow& row); // "CIEL_LIMIT_MESSAGE_BYTES"
 
-// Bytes may have a suffix K, M, G or T (powers of 1024); memory may be a share such as "25%". Else throws Error.
+// Parses the value of a limit. Bytes may have a suffix K, M, G or T (powers of 1024); memory may be a share such as
+// "25%". Throws Error for any other text, and for a value that is not between row.least and row.most.
 [[nodiscard]] std::uint64_t parse_limit(const LimitRow& row, std::string_view text);
 // Returns the value with its unit, such as "64", "1 MiB" or "30 s".
 [[nodiscard]] std::string limit_text(const LimitRow& row, std::uint64_t value);

@@ -5,7 +5,8 @@
 
 namespace server::limits {
 
-// In bytes. If the limit of the control group (a container, a service) is lower, returns this limit.
+// Returns the bytes of the machine's physical memory, or the limit of the control group (a container, a service) if
+// this limit is lower.
 [[nodiscard]] std::uint64_t machine_memory();
 
 // Returns the resident bytes of heap, stacks and drivers' allocations. Pages of files are not counted.
@@ -22,8 +23,8 @@ struct SpareMemory {
 // Therefore the free bytes and the resident size are compared with their values at the last return. Not thread-safe.
 class FreeMemory {
 public:
-    // Returns whether 32 MiB or more seem to be free and resident. If so, call returned() after the return, with the
-    // resident size then.
+    // Returns whether 32 MiB or more seem to be free and resident. If true, the caller returns the memory to the
+    // system, then calls returned() with the new resident size.
     [[nodiscard]] bool is_worth_returning(std::uint64_t free, std::uint64_t resident);
     void returned(std::uint64_t resident) { resident_after_ = resident; }
 
@@ -32,7 +33,7 @@ private:
     std::uint64_t free_before_ = 0, resident_after_ = 0;
 };
 
-// Returns freed heap memory to the system as FreeMemory decides. malloc would keep it. Thread-safe.
+// Returns freed heap memory to the system as FreeMemory decides. Without this call, malloc keeps it. Thread-safe.
 void give_back_free_memory();
 
 } // namespace server::limits

@@ -1,4 +1,4 @@
-// PeakMemory: the highest private memory of this process since a moment.
+// PeakMemory: the highest private memory of this process since construction or restart().
 #pragma once
 
 #include <cstdint>

@@ -36,7 +36,8 @@ private:
 // Writes the line if the level is enabled. Thread-safe.
 void log_event(LogLevel level, std::string_view event, std::initializer_list<LogField> fields);
 
-// Returns eight characters. Logs must not show more, because a client that knows the id may change the scene.
+// Returns the first eight characters of a session id. Logs must not show more, because a client that knows the id may
+// change the scene.
 [[nodiscard]] std::string short_id(std::string_view session);
 
 // The id links log lines to the client's answer. It is unique in the process, and very likely among processes.

@@ -21,7 +21,8 @@ struct CallContext { // NOLINT(bugprone-exception-escape): moving a string does 
     std::stop_token stop{};   // requested when the connection has ended or the server cancels the call
     std::string request_id{}; // id of the call in progress, for the log and for errors
     std::chrono::steady_clock::time_point begun{};
-    // The memory of the result of the call in progress. Given back when the text that is made of it is counted.
+    // Counts the memory of the result of the call in progress, until the memory of the answer's text is counted
+    // instead.
     limits::Memory::Charge making{server.memory(), limits::Held::answers};
 
     void begin();                              // starts a call: sets its id and time

@@ -17,8 +17,8 @@ protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
     return info;
 }
 
-// The range and the numbers of invalid and missing values cover all steps at which the array was written, but those
-// that have not been read from the source.
+// The range and the numbers of invalid and missing values cover all steps at which the array was written, except late
+// steps, which have not been read from the source yet.
 protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
     protocol::ArrayInfo info;
     info.name = array.name;

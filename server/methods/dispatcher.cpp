@@ -175,7 +175,7 @@ private:
             const std::string text = text_of(*one, id);
             one.reset();
             context_.making.note(0);                    // append() counts the text
-            constexpr std::size_t usual_refusal = 4096; // has been logged and counted, so no other one replaces it
+            constexpr std::size_t usual_refusal = 4096; // it is logged and counted, so no other refusal replaces it
             append(text, is_refusal && text.size() <= usual_refusal);
         } catch (...) { // the answer exceeds the limit of the batch or the server's memory
             context_.making.note(0);
@@ -233,8 +233,8 @@ private:
     std::string text_;
     limits::Memory::Charge held_, asked_; // count text_ and requests_
     std::size_t next_ = 0;
-    Turn turn_;                                     // of the slow request that is handled now
-    std::chrono::milliseconds pause_ = first_pause; // until its next turn
+    Turn turn_; // of the slow request that is handled now
+    std::chrono::milliseconds pause_ = first_pause;
     bool was_queued_ = false, cancelled_ = false;
 };
 

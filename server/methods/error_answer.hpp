@@ -20,7 +20,7 @@ public:
 [[nodiscard]] nlohmann::json invalid_request(const std::string& reason);
 [[nodiscard]] nlohmann::json limit_error(const std::string& reason);
 [[nodiscard]] nlohmann::json too_long_error(const std::string& reason);
-// Call it inside a catch block. Accepts every exception.
+// Returns the error object of the current exception, whatever its type. Call it inside a catch block.
 [[nodiscard]] nlohmann::json error_of_current_exception();
 
 } // namespace server::methods

@@ -7,7 +7,8 @@
 namespace server::methods {
 
 namespace {
-// The PNG file and three base64 copies (result, JSON, text), each 4/3 as large as the file.
+// Memory of a result, in sizes of the PNG file: the file and three base64 copies (result, JSON, text), each 4/3 as
+// large.
 constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 

@@ -53,10 +53,10 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     const std::size_t step = dataset->step_at(source.version().scene().time);
     try {
         source.version().checked.loaded()->require_read(step);
-    } catch (const store::NotYetRead& late) { // arrays that cannot be read have no values
+    } catch (const store::NotYetRead& late) { // arrays that cannot be read from the source get no values
         if (!late.has_failed) throw;
     }
-    context.server.services().require_room(); // for the topology
+    context.server.services().require_room(); // the locator needs the topology
     const auto locator = source.version().checked.loaded()->locator(step);
 
     std::optional<ciel::Vec3d> position = params.position;

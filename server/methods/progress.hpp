@@ -17,7 +17,7 @@ public:
     Progress(const CallContext& context, std::optional<std::string> name, const std::optional<std::string>& session);
 
     void begin(const char* stage); // one of the stages of call.progress in the contract
-    // Notifies clients that `done` of `of` parts of the stage are done, at most five times a second.
+    // Notifies clients that `done` of `of` items of the stage are done, at most five times a second.
     void count(const char* stage, std::size_t done, std::size_t of);
 
 private:

@@ -5,8 +5,8 @@
 
 namespace server::methods {
 
-// Returns whether the request declares a higher minor version than this server. Its unknown members are then ignored.
-// Returns false without "protocol". Throws InvalidRequest for another major version or a malformed "protocol".
+// Returns whether the request declares a higher minor version than this server. The request's unknown members are then
+// ignored. Returns false without "protocol". Throws InvalidRequest for another major version or a malformed "protocol".
 [[nodiscard]] bool is_of_later_minor(const nlohmann::json& request);
 
 } // namespace server::methods

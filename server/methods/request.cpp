@@ -68,7 +68,7 @@ json call(CallContext& context, const json& request, bool is_again, std::vector<
         json result = method->slow ? call_slow(context, *method, params) : method->call(context, params);
         count();
         return result;
-    } catch (const AwaitsStep&) { // the call goes on
+    } catch (const AwaitsStep&) { // the call is handled again later and counted then
         throw;
     } catch (...) {
         count();

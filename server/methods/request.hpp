@@ -23,10 +23,11 @@ struct Turn {
 // A late step that the method needs is being read from its source. Handle the request again in a moment.
 class AwaitsStep : public std::exception {};
 
-// Returns nothing for a notification. Throws only AwaitsStep, for a slow method and at most for a minute. Logs failures
-// and slow calls.
+// Returns the answer; nothing for a notification. Throws only AwaitsStep, only for a slow method, and only within
+// Limits::late_step_seconds of the first turn. Logs failures and slow calls.
 [[nodiscard]] std::optional<nlohmann::json> handle(CallContext& context, const nlohmann::json& request, Turn turn = {});
-// Answers the current exception. Returns nothing for a notification. Call it inside a catch block.
+// Returns the answer to a request that failed with the current exception. Returns nothing for a notification. Call it
+// inside a catch block.
 [[nodiscard]] std::optional<nlohmann::json> refuse(CallContext& context, const nlohmann::json& request);
 
 } // namespace server::methods

@@ -14,8 +14,9 @@ public:
                 const std::optional<nlohmann::json>& scene);
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
-    // Views of a session share its geometry. The geometry of a given scene is counted until the SceneSource is
-    // destroyed. `layers_made`: see SceneGeometry. Throws LimitReached, and Error if the connection ends.
+    // Views of a session share its geometry. The memory of the geometry of a given scene is counted until the
+    // SceneSource is destroyed. `layers_made`: see SceneGeometry. Throws LimitReached, and Error if the connection
+    // ends.
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const geometry::LayersMade& layers_made = {});
 
 private:

@@ -65,7 +65,8 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// The stream, the file and three base64 copies (result, JSON, text), each 4/3 as large as the file.
+// Memory of a result, in sizes of the file: the stream, the file and three base64 copies (result, JSON, text), each 4/3
+// as large.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

@@ -36,7 +36,7 @@ void default_camera(Reader& arguments, Writer& results);
 // A color scale consists of: a scale of values; map (text); color points (number, then position and color of each
 // point); reverse (0 or 1); color of missing values; colors below and above the range (for each: 1 and the color, or
 // only 0). A color is red, green and blue, 0 to 255.
-// The comments below: arguments -> results.
+// The comments of the functions below have the form: arguments -> results.
 void label_on(Reader& arguments, Writer& results);     // scale of values, value -> text
 void number_alone(Reader& arguments, Writer& results); // value, digits -> text
 void pretty_units(Reader& arguments, Writer& results); // text -> text

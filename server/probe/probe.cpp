@@ -10,14 +10,15 @@ namespace {
 
 std::optional<double> finite(double value) { return std::isfinite(value) ? std::optional(value) : std::nullopt; }
 
-// A late array has no values yet.
+// Returns whether the array has no values yet, because it has not been read from its source.
 bool is_late(const store::Dataset& dataset, std::size_t step, const std::string& array) {
     const auto& arrays = dataset.steps()[step].arrays;
     const auto found = arrays.find(array);
     return found != arrays.end() && found->second.late;
 }
 
-// The values at the cell's corners do not show a wrong result, because they may come from neighbor cells.
+// Returns whether the solver's result in the cell is NaN or infinite. Looks at the cell array, because the values at
+// the cell's corners may come from neighbor cells.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, ciel::Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;
@@ -30,7 +31,7 @@ bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::Ar
            });
 }
 
-// The weights are over vertices, or 1 for one cell. If `is_wrong`, the scalars get no value.
+// `weights`: of the vertices, or 1 for one cell. If `is_wrong`, the scalars get no value.
 void probe_array(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array,
                  const ciel::VertexWeights& weights, bool is_wrong, Probed& out) {
     const store::ValuesToLoad values =

@@ -17,7 +17,7 @@ struct Probed {
 };
 
 // Point scalars are interpolated in the cell. Reads only the stretches (store/format/checksum.hpp) that have the
-// values. `locator`: of the mesh with the coordinates of the step. Throws Error when a file is damaged.
+// values. `locator`: locator of the mesh, with the coordinates of the step. Throws Error when a file is damaged.
 [[nodiscard]] Probed probe(const store::Dataset& dataset, std::size_t step, const ciel::CellLocator& locator,
                            ciel::Vec3d position);
 

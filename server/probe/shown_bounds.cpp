@@ -95,7 +95,7 @@ Box box_of(const geometry::Geometry& geometry, const std::vector<scene::Layer>& 
     return box;
 }
 
-// Positions are offsets from the geometry's origin.
+// The frustum of the scene's view. Positions are offsets from the geometry's origin.
 class ViewFrustum {
 public:
     ViewFrustum(const geometry::Geometry& geometry, const scene::CheckedScene& checked, geometry::ViewSize size) {

@@ -41,7 +41,7 @@ ciel::Vec3d between(const ciel::Vec3f& from, const ciel::Vec3d& to) {
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// Moeller and Trumbore 1997. The result is the parameter, from 0 to 1 along the ray.
+// Returns the ray's parameter (0 to 1) at its intersection with the triangle (Moeller and Trumbore, 1997).
 std::optional<double> met(const Ray& ray, const ciel::Vec3f& a, const ciel::Vec3f& b, const ciel::Vec3f& c) {
     const ciel::Vec3d ab = ciel::arm(a, b);
     const ciel::Vec3d ac = ciel::arm(a, c);

@@ -17,7 +17,8 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 constexpr int limits_unit = 2, occlusion_unit = 2; // texture units; ColorScales uses units 0 and 1
 
-// The plain program is faster: a software rasterizer also spends time on unused features of the full program.
+// Returns whether the plain program can draw the mesh. It is faster than the full program, because a software
+// rasterizer also spends time on unused features.
 bool is_plain(const Primitives& mesh, const Frame& frame) {
     return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
 }
@@ -156,7 +157,8 @@ void Painter::upload(const Frame& frame) {
     transparent_points_.load(points, depth_row);
 }
 
-// A mesh keeps its buffers if its index in the frame changes. Transparent triangles and points have buffers elsewhere.
+// A mesh keeps its buffers if its index in the frame changes. Transparent triangles and points have their own buffers
+// in transparent_ and transparent_points_.
 void Painter::assign_buffers(const Frame& frame) {
     std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
     std::vector<PrimitiveBuffers*> rest;
@@ -178,7 +180,7 @@ void Painter::assign_buffers(const Frame& frame) {
     }
 }
 
-// Frames with volumes or several samples touch all tiles: clearing and reading are a small part of their time.
+// Frames with volumes or several samples touch all tiles, because clearing and reading take little of their time.
 TouchedTiles Painter::touched_by(const Frame& frame) const {
     TouchedTiles touched(frame.width, frame.height);
     if (frame.samples > 1 || !frame.volumes.empty()) {
@@ -255,8 +257,8 @@ void Painter::use_line(const Program& program, const Primitives& mesh, float fac
     gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
 }
 
-// Transparent triangles are drawn after lines, and a partly covered pixel that wrote depth would hide them. Therefore
-// only a pixel that a line covers by at least half writes depth, and is drawn as fully covered.
+// Transparent triangles are drawn after lines. A pixel that a line covers partly would hide these triangles if it wrote
+// depth. Therefore only a pixel that a line covers by at least half writes depth, and is drawn as fully covered.
 void Painter::draw_lines(const Frame& frame) {
     if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
     const auto draw_part = [&](float part) {

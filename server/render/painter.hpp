@@ -88,7 +88,7 @@ private:
     VolumePainter volumes_;
     OverlayPainter overlay_;
     annotations::ViewTransform transform_;
-    std::size_t clip_planes_ = 0; // number of clip planes of the last frame
+    std::size_t clip_planes_ = 0;
     ciel::Vec3d origin_{};
     int width_ = 0, height_ = 0;           // size of the last picture in pixels; 0 if there is no picture for pick()
     bool transparent_depth_drawn_ = false; // whether the target has the depth of transparent triangles, for pick()

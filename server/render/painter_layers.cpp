@@ -5,7 +5,8 @@
 namespace server::render {
 namespace {
 
-// The uniform `line_reach` of point_shaders.cpp. `factor`: framebuffer pixels per picture pixel along a side.
+// Returns the value of the uniform `line_reach` (point_shaders.cpp). `factor`: framebuffer pixels per picture pixel
+// along a side.
 float line_reach(const Frame& frame, float factor) {
     const float width = widest_line(frame);
     return width > 0 ? (factor * width + 1) / 2 : 0;
@@ -132,7 +133,8 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(true);
 }
 
-// Returns the factor for line widths and point sizes: layer pixels per picture pixel along a side.
+// Uses the program for a peeled layer. Returns the factor for line widths and point sizes: layer pixels per picture
+// pixel along a side.
 float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);

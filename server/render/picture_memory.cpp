@@ -16,8 +16,9 @@ constexpr std::uint64_t lines = 16;     // depth peeling: records of transparent
 constexpr std::uint64_t occlusion = 48; // depth, normals, raw and averaged light (ambient_occlusion.hpp)
 constexpr std::uint64_t volumes = 72;   // pictures of 4 floats, ray parts, reach, coverage (volume_painter.hpp)
 
-// llvmpipe keeps the programs, and the triangles of the last pictures until it needs their memory for others. On a busy
-// machine it keeps those of three, because it begins a picture before the threads have drawn the one before.
+// llvmpipe keeps the programs. It also keeps the triangles of recent pictures until it needs their memory. On a busy
+// machine it keeps the triangles of three pictures, because it begins a picture before its threads have drawn the
+// previous picture.
 constexpr std::uint64_t programs = 24 << 20, most_triangles = 96 << 20, triangles_per_mesh = 3;
 
 std::uint64_t bytes_of(const Primitives& mesh) {

@@ -13,14 +13,16 @@
 namespace server::render {
 namespace {
 
-// A context that has drawn a larger picture than this is destroyed before a picture of less than half that size, to
-// free its memory. Still pictures of a large screen are smaller, so they do not wait for a new context.
+// If the last picture had more pixels than this and the next picture has less than half as many, the context is
+// destroyed first, to free its memory. Still pictures of a large screen have fewer pixels, so they do not wait for a
+// new context.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
 // Bytes that must stay free during a draw, for the rest of the process and for shaders that are compiled.
 constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
 
-// Bytes that a new llvmpipe context reserves, mostly for its threads. Only a small part of them is used.
+// Bytes of address space that a new llvmpipe context reserves, mostly for its threads. Only a small part becomes
+// memory.
 std::uint64_t addresses_of_a_context() {
     // MB, per context and per thread; 463 MB were measured with 2 threads.
     constexpr std::uint64_t whole = 240, of_thread = 136;
@@ -117,6 +119,9 @@ struct Renderer::State {
         return failed;
     }
     const Image& draw(const Frame& frame, const AfterStage& after) {
+        if (!painter) start();
+        drawn_pixels = pixels_of(frame);
+        if (const std::uint64_t needed = picture_memory(frame); needed > kept) keep(needed);
         const Image* image = nullptr;
         std::exception_ptr refused;
         bool failed = false;
@@ -147,13 +152,9 @@ void Renderer::draw(const Frame& frame, Image& image, const AfterStage& after) {
 const Image& Renderer::draw(const Frame& frame, const AfterStage& after) {
     if (state_->is_lost() || state_->is_much_larger_than(frame)) state_->stop();
     state_->check_memory(frame);
-    if (!state_->painter) state_->start();
-    state_->drawn_pixels = pixels_of(frame);
-    if (const std::uint64_t needed = picture_memory(frame); needed > state_->kept) state_->keep(needed);
     const Image& image = state_->draw(frame, after);
     if (!state_->is_lost()) return image;
     state_->stop(); // the context was lost while drawing, so the image is invalid
-    state_->start();
     return state_->draw(frame, after);
 }
 

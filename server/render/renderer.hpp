@@ -16,16 +16,16 @@ namespace server::render {
 struct Spare {
     std::uint64_t memory = UINT64_MAX;        // free on the machine or in the container
     std::uint64_t address_space = UINT64_MAX; // left below the process's limit (RLIMIT_AS)
-    std::uint64_t allowed = UINT64_MAX;       // left below a limit on what the program counts itself
+    std::uint64_t allowed = UINT64_MAX;       // left of the limit on memory that the program itself counts
 };
 
 // Owns one GL context. A Renderer must be created and used on the same thread. The constructor throws Error if no
 // context can be created. If the context is lost or runs out of memory, the next draw creates a new context.
 class Renderer {
 public:
-    // `spare` is called before a context is created, and with a software GL before a picture that needs more memory
-    // than the context keeps. What does not fit is refused. `on_kept` is called with kept_memory() whenever that
-    // changes, before the memory is allocated.
+    // `spare` returns the memory that is left. It is called before a context is created and, with a software GL, before
+    // a picture that needs more memory than the context keeps. If the memory does not suffice, an Error is thrown.
+    // `on_kept` is called with kept_memory() whenever this number changes, before the memory is allocated.
     explicit Renderer(Backend backend, std::function<Spare()> spare = {},
                       std::function<void(std::uint64_t)> on_kept = {});
     ~Renderer();
@@ -36,12 +36,12 @@ public:
     // exceptions of check_wanted. After an exception, the next draw works as usual.
     // `after`: called when the GL has finished a stage, for benchmarks.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
-    // Makes no copy of the image, which is valid until the next draw.
+    // Returns the image without a copy; valid until the next draw.
     const Image& draw(const Frame& frame, const AfterStage& after = {});
     // Sentences for the user about content that the last picture leaves out, such as layers beyond the limit.
     [[nodiscard]] const std::vector<std::string>& remarks() const;
-    // Sets `position`, in world coordinates, to what the last picture shows at a pixel. x and y are counted from the
-    // top left. Returns false if there is no primitive at this pixel.
+    // Sets `position` to the point that the last picture shows at pixel (x, y), in world coordinates. x and y are
+    // counted from the top left. Returns false if there is no primitive at this pixel.
     bool pick(int x, int y, ciel::Vec3d& position);
     [[nodiscard]] const std::string& gl_renderer() const; // GL_RENDERER
     [[nodiscard]] const std::string& gl_version() const;
@@ -50,7 +50,7 @@ public:
     [[nodiscard]] const std::string& selection() const;
     // Throws Error if there is not enough memory for this frame. Draws nothing.
     void check_memory(const Frame& frame) const;
-    // In bytes: the estimated memory of the context's largest picture.
+    // Returns the estimated memory of the largest picture of the context, in bytes.
     [[nodiscard]] std::uint64_t kept_memory() const;
     void give_back_memory(); // destroys the context; the next draw creates a new one in a few tenths of a second
     // Destroys the GL context as a GPU reset would; for tests.

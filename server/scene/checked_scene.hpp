@@ -17,7 +17,7 @@ public:
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const std::shared_ptr<store::LoadedDataset>& loaded() const { return loaded_; }
     [[nodiscard]] const std::shared_ptr<store::Dataset>& dataset() const { return dataset_; }
-    // Returns a copy with another camera. It is not checked again, because a camera names nothing in the dataset.
+    // Returns a copy with another camera. The copy is not checked again, because a camera names nothing in the dataset.
     // REQUIRES: `camera` follows the rules of a scene (rules.hpp).
     [[nodiscard]] CheckedScene with_camera(const Camera& camera) const;
 

@@ -7,7 +7,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t allocation = 16;                      // bytes of header and rounding per heap block
+constexpr std::size_t allocation = 16;                      // bytes of header and rounding per heap allocation
 constexpr std::size_t tree_node = 32 + sizeof(std::string); // node of a std::map: color, three pointers, key
 constexpr std::size_t short_string = 15;                    // longest text that is stored inside the std::string
 

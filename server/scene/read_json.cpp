@@ -10,7 +10,8 @@ namespace {
 
 using nlohmann::json;
 
-// A callback of json::parse would search the enclosing list at the end of each object: time n^2 for n objects.
+// Finds members that are named twice. This is not a callback of json::parse, because json::parse with a callback
+// searches the enclosing list at the end of each object, which takes time n^2 for n objects.
 class NameReader final : public json::json_sax_t {
 public:
     bool null() override { return true; }

@@ -15,7 +15,8 @@ struct Plane {
 [[nodiscard]] Plane plane_of(const SliceLayer& slice);
 [[nodiscard]] Plane plane_of(const ClipLayer& clip);
 
-// annotations.legend has replaced /legend. Call this before the schema check, whose error would not name it.
+// Throws Invalid if the document has the former member /legend; the error names its successor, annotations.legend. Call
+// this before the schema check, whose error would not name the successor.
 void refuse_old_legend(const nlohmann::json& document);
 
 // Sorts the layers by (order, id). Removes edges, contours and thresholds that are switched off. Contours without

@@ -19,10 +19,12 @@ public:
     std::string path;
 };
 
-// The layers are sorted by (order, id), without edges, contours and thresholds that are switched off. Throws Invalid.
-// Does not check that arrays exist, because this check needs the dataset (checked_scene.hpp).
+// Returns the scene of a document. The layers are sorted by (order, id), without edges, contours and thresholds that
+// are switched off. Throws Invalid. Does not check that arrays exist, because this check needs the dataset
+// (checked_scene.hpp).
 [[nodiscard]] Scene parse(const nlohmann::json& document);
-// A null removes its member, because null and absent mean the same in a scene. The caller must check the result.
+// Applies a merge patch to the document. A null removes its member, because null and absent mean the same in a scene.
+// The caller must check the result.
 [[nodiscard]] nlohmann::json merge_patch(nlohmann::json document, const nlohmann::json& patch);
 // Returns the merge patch that turns `from` into `to`. `to` must have no nulls.
 [[nodiscard]] nlohmann::json diff(const nlohmann::json& from, const nlohmann::json& to);

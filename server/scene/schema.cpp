@@ -148,8 +148,8 @@ Result check_names(const json& rule, const json& value, const json&, const std::
     return {};
 }
 
-// The client meant an option if its constant "type" matches, or if its violation lies inside the value. If there is no
-// such option, the result lists all types or reasons.
+// Returns the violation of the option that the client meant: the option whose constant "type" matches, or whose
+// violation lies inside the value. If there is no such option, the result lists all types or reasons.
 Violation best_of(const json& options, const json& value, const std::vector<Violation>& violations,
                   const std::string& path) {
     static const json::json_pointer discriminator("/properties/type/const");

@@ -14,13 +14,13 @@ namespace server::scene {
 // Returns whether `schema` has a property with this name. Does not resolve "$ref".
 [[nodiscard]] bool is_known_member(const nlohmann::json& schema, const std::string& name);
 
-// For a schema whose "additionalProperties" is false. Returns the violation by the first unknown member, or nothing.
-// Looks at the members of `value` only, not at theirs. Thread-safe.
+// Returns the violation by the first unknown member, or nothing. The "additionalProperties" of the schema must be
+// false. Checks the members of `value` only, not nested members. Thread-safe.
 [[nodiscard]] std::optional<Violation> refuse_unknown_members(const nlohmann::json& schema, const nlohmann::json& value,
                                                               const std::string& path);
 
-// Works at all depths. Returns the JSON pointers (RFC 6901) of the removed members. Keeps a value outside its
-// enumeration and an object of an unknown "type", because check_schema() refuses them. Thread-safe.
+// Removes unknown members at all depths. Returns the JSON pointers (RFC 6901) of the removed members. Keeps a value
+// outside its enumeration and an object of an unknown "type", because check_schema() refuses them. Thread-safe.
 [[nodiscard]] std::vector<std::string> drop_unknown_members(const nlohmann::json& schema, nlohmann::json& value);
 
 } // namespace server::scene

@@ -17,9 +17,10 @@ public:
     // Keeps at most `steps` documents of at most `bytes` of heap memory, and drops the oldest.
     History(std::size_t steps, std::size_t bytes) : steps_(steps), most_bytes_(bytes) {}
 
-    // `before` is about to be replaced. Drops all redo steps. Changes with the same non-empty gesture are one step.
+    // Adds an undo step: the document `before` is about to be replaced. Drops all redo steps. Changes with the same
+    // non-empty gesture are one step.
     void record(Document before, const std::string& gesture);
-    // The new step is the farthest from the current document. Both return false if the limits leave no room.
+    // Both add the step that is farthest from the current document. Both return false if the limits leave no room.
     bool append_undo(Document document);
     bool append_redo(Document document);
     // Both return the document that replaces the current document `now`, or null if there is no step.

@@ -20,7 +20,8 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     return notification_text(note);
 }
 
-// Stops when `take` returns false, or when the text of a document has more than `most_bytes` bytes.
+// Applies the patches one after the other, and passes each document to `take`. Stops when `take` returns false, or when
+// the text of a document has more than `most_bytes` bytes.
 template <class Take>
 void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
     for (const nlohmann::json& patch : patches) {
@@ -30,7 +31,8 @@ void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches,
     }
 }
 
-// Calls make_text() only if one of the connections is open. `except`: 0 for no exception.
+// Sends a text to the connections `to`, but not to `except` (0: no exception). Calls make_text() only if one of the
+// connections is open.
 void send(const OpenConnections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
           const std::function<std::string()>& make_text) {
     std::string text;

@@ -40,7 +40,8 @@ struct Author {
     std::string request;          // id of the request that made the change
 };
 
-// Thread-safe. A change makes a new revision. It is sent to all subscribers but its author, and offered to all viewers.
+// Thread-safe. A change makes a new revision. The revision is sent to all subscribers except its author, and offered to
+// all viewers.
 class Session {
 public:
     // Drops `steps` beyond the history's limits. Throws LimitReached if there is no memory for the documents.
@@ -51,7 +52,8 @@ public:
     [[nodiscard]] Clock::time_point opened() const { return opened_; }
     [[nodiscard]] SessionStatus status() const; // also marks the session as used
     [[nodiscard]] std::shared_ptr<const SceneVersion> newest() const;
-    // They throw LimitReached and the exceptions of accept_scene(); the session is then unchanged.
+    // patch, replace, undo and redo throw LimitReached and the exceptions of accept_scene(). The session is then
+    // unchanged.
     SessionStatus patch(const nlohmann::json& merge_patch, const std::string& gesture, const Author& author);
     SessionStatus replace(nlohmann::json document, const Author& author);
     SessionStatus undo(const Author& author); // returns the current status if there is nothing to undo

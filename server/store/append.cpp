@@ -22,7 +22,7 @@ bool has(const std::vector<ArrayInfo>& arrays, const std::string& name) {
     return std::ranges::any_of(arrays, [&](const ArrayInfo& array) { return array.name == name; });
 }
 
-// Throws Error for a bad name of a new array. Arrays are never deleted, so that the name could not be corrected.
+// Throws Error if a new array must not have this name. Arrays are never deleted, so a bad name would stay forever.
 void check_new_name(const std::string& name) {
     const std::string plain = name.starts_with(cell_prefix) ? name.substr(cell_prefix.size()) : name;
     const auto is_bad = [](unsigned char c) { return c < ' ' || c == 0x7f || c == '/' || c == '\\' || c == ':'; };
@@ -112,7 +112,7 @@ Values to_stored_order(ciel::ValuesView values, std::span<const ciel::Index> ori
     return values.with([&]<class T>(std::span<const T> all) {
         std::vector<T> stored(original.size() * components);
         for (std::size_t i = 0; i < original.size(); ++i) {
-            // Reads the id only once, because the mapped file can change at any time.
+            // Reads the id only once: `original` is a mapped file that can change between the check and the use.
             const std::size_t from = original[i] * components;
             if (from >= all.size()) throw ciel::Error("the dataset's original ids are damaged; import the data again");
             std::copy_n(&all[from], components, &stored[i * components]);
@@ -148,7 +148,7 @@ void write_arrays(Writer& writer, const StepPlan& plan, const ValuesOf& values_o
     dataset.check_intact();
 }
 
-// The order of the faces matters for arrays on boundary faces.
+// Also compares the order of the faces, because arrays on boundary faces have this order.
 bool same_faces(const ciel::FaceMeshView& a, const ciel::FaceMeshView& b) {
     bool same = std::ranges::equal(a.owner, b.owner);
     for (ciel::Index face = 0; same && face < a.face_count(); ++face)
@@ -167,7 +167,7 @@ std::size_t mesh_like(const Dataset& dataset, const Dataset& source, std::size_t
                       "; only steps on the same mesh can be appended");
 }
 
-// Adds a coordinate set if no set of the mesh has the positions of `wanted`.
+// Returns the index of the mesh's coordinate set with the positions of `wanted`. If there is none, adds the set.
 std::size_t coordinates_like(Writer& writer, std::size_t mesh, const ciel::FaceMeshView& wanted) {
     const ciel::FaceMeshView known = writer.before()->mesh_arrays().points(mesh, 0);
     Values positions(wanted.positions, wanted.keep_alive);

@@ -29,7 +29,8 @@ FileStamp stamp_of_file(const fs::path& file) {
     return {status.st_ino, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
 }
 
-using Stamp = std::array<FileStamp, 2>; // of the commit marker, and of the file that is replaced with late arrays
+// Stamps of the commit marker, and of the file that every writer of late arrays replaces (late_files.hpp).
+using Stamp = std::array<FileStamp, 2>;
 
 Stamp stamp_of(const fs::path& dataset) {
     return {stamp_of_file(dataset / layout::commit_marker), stamp_of_file(dataset / layout::late_changes)};
@@ -54,7 +55,7 @@ bool is_intact(const LoadedDataset& loaded) {
     }
 }
 
-// A dataset in memory, as a poll found it.
+// State of a dataset in memory when poll() copied it under the mutex.
 struct Seen {
     std::string name;
     std::shared_ptr<LoadedDataset> loaded;
@@ -67,11 +68,12 @@ struct Known {
     bool failed = false; // true after add_failed, until the stamp of the commit marker differs from `examined`
     Stamp examined{};    // stamp of the commit marker when `problem` was determined
     std::shared_ptr<LoadedDataset> loaded;
-    // Set after a loaded dataset was replaced or damaged. told: on_change was called. refused: open() has failed since
-    // then. came_back: open() has then succeeded, so that poll() must call on_change again.
+    // Set after a loaded dataset was replaced or damaged. told: on_change was called. refused: open() has failed since.
+    // came_back: poll() must call on_change again, because open() succeeded after a failure, or because on_change
+    // threw.
     enum class Lost { no, told, refused, came_back } lost = Lost::no;
     Stamp loaded_stamp{};
-    FileStamp late_stamp{}; // of late arrays outside the dataset; unknown until the first poll
+    FileStamp late_stamp{}; // like loaded_stamp, for late arrays outside the dataset; set by poll()
     Catalog::Clock::time_point used{};
     std::shared_ptr<std::mutex> opening = std::make_shared<std::mutex>();
 };
@@ -101,7 +103,7 @@ struct Catalog::State {
         return known[name];
     }
 
-    // A directory keeps its name in `known` as long as it exists.
+    // Entries stay as long as their directories exist, so that a dataset keeps its name (for example NAME-2).
     void scan() {
         for (auto entry = known.begin(); entry != known.end();) {
             Known& each = entry->second;
@@ -206,7 +208,7 @@ std::shared_ptr<LoadedDataset> Catalog::open(const std::string& name) {
         directory = found->second.directory;
         opening = found->second.opening;
     }
-    // Opening may take long. Meanwhile other datasets can be opened.
+    // Each dataset has its own mutex, because opening may take long and must not delay other datasets.
     const std::lock_guard one_at_a_time(*opening);
     {
         const std::lock_guard lock(state_->mutex);
@@ -254,10 +256,10 @@ std::vector<std::shared_ptr<LoadedDataset>> Catalog::loaded() const {
 }
 
 std::size_t Catalog::give_back(Clock::time_point unused_since) {
-    // Destroyed after `lock`, because unmapping is slow and needs no lock.
+    // Declared before `lock`, so that the datasets are destroyed after the unlock. Unmapping is slow and needs no lock.
     std::vector<std::shared_ptr<LoadedDataset>> forgotten;
     const std::lock_guard lock(state_->mutex);
-    std::vector<Known*> unused; // only the catalog holds them; open() cannot return them while `lock` is held
+    std::vector<Known*> unused; // datasets that only the catalog holds; open() cannot return them while `lock` is held
     std::size_t bytes = 0;
     for (auto& [name, entry] : state_->known) {
         if (!entry.loaded) continue;
@@ -295,7 +297,7 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
     for (const Seen& seen : all) {
         try {
             look_at(seen, on_change);
-        } catch (const std::exception&) { // memory is short; the next poll calls on_change
+        } catch (const std::exception&) { // on_change threw, or memory is short; the next poll calls on_change again
             const std::lock_guard lock(mutex);
             if (const auto found = known.find(seen.name); found != known.end())
                 found->second.lost = Known::Lost::came_back;
@@ -303,7 +305,7 @@ void Catalog::State::poll(const std::function<void(const std::string&)>& on_chan
     }
 }
 
-// Reads the disk, which may be slow, while `mutex` is not locked.
+// Called without a lock of `mutex`, because it reads the disk, which may be slow.
 void Catalog::State::look_at(const Seen& seen, const std::function<void(const std::string&)>& on_change) {
     if (!seen.has_new_marker && is_intact(*seen.loaded)) {
         if (seen.came_back) on_change(seen.name);

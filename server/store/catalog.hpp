@@ -9,7 +9,7 @@
 namespace server::store {
 
 struct LateSteps {
-    std::filesystem::path folder; // of the files of late arrays whose dataset cannot be written to (late_files.hpp)
+    std::filesystem::path folder; // for late arrays of datasets that cannot be written to (late_files.hpp)
     AskForStep ask;
 };
 

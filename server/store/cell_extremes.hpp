@@ -18,11 +18,13 @@ struct LowestAndHighest {
     CellValue lowest, highest;
 };
 
-// For a point scalar interpolated from cells, uses the scalar on cells. Returns nullopt if the cells are not known.
+// Returns the cells with the lowest and the highest value of a scalar. For a point scalar that was interpolated from
+// cells, uses the scalar on cells. Returns nullopt if the dataset does not store these cells.
 [[nodiscard]] std::optional<LowestAndHighest> cell_extremes(const store::Dataset& dataset, const std::string& scalar,
                                                             std::size_t step);
-// Return the cells at the ends of ArrayStep::range: of the magnitudes, or of all components if the array has no
-// magnitude. The second overload searches all steps. Both return nullopt if the cells are not known.
+// Return the cells whose values are the ends of ArrayStep::range. This is the range of the magnitudes, or of all
+// components if the array has no magnitude. The second overload searches all steps. Both return nullopt if the dataset
+// does not store these cells.
 [[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,
                                                              const store::ArrayInfo& array, std::size_t step);
 [[nodiscard]] std::optional<LowestAndHighest> range_extremes(const store::Dataset& dataset,

@@ -1,4 +1,5 @@
-// Commits the steps of a dataset that is being written: replaces the marker, and moves steps to the table of steps.
+// Commits the steps of a dataset that is being written: replaces the commit marker (steps.json), and moves steps to the
+// table of steps (format/step_table.hpp).
 #pragma once
 
 #include "store/format/marker.hpp"

@@ -77,7 +77,7 @@ public:
         if (losses == losses_let_go_) return;
         for (const auto& mesh : meshes_) mesh->check_intact();
         chunks_->check_intact();
-        losses_let_go_ = losses; // no file that is still mapped is lost
+        losses_let_go_ = losses; // these losses are of files that are no longer mapped
     }
 
     void check_unchanged() const override {
@@ -91,7 +91,8 @@ public:
         try {
             return at(mesh)->all_faces(view);
         } catch (const ciel::Error&) {
-            // The message of the kernel names no file. check_unchanged names the file if a file has changed.
+            // The message of the kernel names no file. If a file has changed, check_unchanged throws an error that
+            // names the file.
             check_unchanged();
             throw;
         }
@@ -284,7 +285,8 @@ private:
         return meshes_[mesh];
     }
 
-    // A refresh reads the attributes again, because new coordinate sets may have been added.
+    // A refresh reads the attributes from the disk again, because a writer may have added coordinate sets. `before`:
+    // the dataset before the refresh; null: no refresh.
     std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
         if (before == nullptr || mesh >= before->meshes_.size())
             return meshes_[mesh]->attributes().coordinate_checksums;
@@ -300,7 +302,7 @@ private:
         late_files_.complete(found, layouts_.at(found.mesh));
         return found;
     }
-    // While a step is being written, all its late arrays are still late.
+    // While some late arrays of a step are not written yet, returns all of them as late.
     MarkedStep marked_whole(std::size_t step) const {
         MarkedStep found = marked(step);
         const bool is_whole = std::ranges::none_of(found.arrays, [](const auto& array) { return array.second.late; });

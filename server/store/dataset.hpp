@@ -43,9 +43,9 @@ struct ScalarName {
 class Dataset : public std::enable_shared_from_this<Dataset> {
 public:
     // Throws Error that names the file when a file is missing, damaged, truncated or of a newer version. Arrays,
-    // records, and steps in the table of steps are read and verified when they are first used. `access`: for records,
-    // values and positions; nullopt: access_to(directory). The numbered faces are always mapped.
-    // `late_folder`: see LateFiles (late_files.hpp).
+    // records, and steps in the table of steps are read and verified when they are first used. `access`: how records,
+    // values and positions are read; nullopt: access_to(directory). The numbered faces (mesh_arrays.hpp) are always
+    // mapped. `late_folder`: see LateFiles (late_files.hpp).
     [[nodiscard]] static std::shared_ptr<Dataset> open(const std::filesystem::path& directory,
                                                        LackingRanges lacking = LackingRanges::computed,
                                                        std::optional<FileAccess> access = std::nullopt,
@@ -60,8 +60,8 @@ public:
     // another dataset.
     [[nodiscard]] virtual std::shared_ptr<Dataset> refreshed() const = 0;
 
-    // Throws Error if a mapped file was found to be truncated or rewritten. Call it after reading: results made from
-    // the dataset must then be discarded. Costs one atomic read if no mapping is lost.
+    // Throws Error if a mapped file was found to be truncated or rewritten. Call it after reading. If it throws,
+    // discard the results made from the dataset. Costs one atomic read if no mapping is lost.
     virtual void check_intact() const = 0;
     [[nodiscard]] bool is_intact() const; // false if check_intact would throw
     // Reads all files. Throws Error that names the first damaged file.
@@ -83,7 +83,8 @@ public:
     // as an index.
     [[nodiscard]] virtual std::span<const std::int64_t> solver_vertex(std::size_t mesh) const = 0;
     [[nodiscard]] virtual std::span<const std::int64_t> solver_cell(std::size_t mesh) const = 0;
-    // Return nullopt if the solver gave no id. Each call reads one stretch. The vertex or cell must exist.
+    // Return one id; nullopt if the solver gave none. Each call reads only the 64 KiB of the file that have the id.
+    // REQUIRES: the vertex or cell exists.
     [[nodiscard]] virtual ciel::Index original_vertex(std::size_t mesh, ciel::Index vertex) const = 0;
     [[nodiscard]] virtual ciel::Index original_cell(std::size_t mesh, ciel::Index cell) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, ciel::Index vertex) const = 0;
@@ -91,14 +92,16 @@ public:
     // Returns `components` numbers for each vertex, cell or boundary face, interleaved. Empty if the array was not
     // written at this step. Throws Error for an unknown array, a late array or a damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
-    // Like values, but reads no stretch. Stretches are read and checked when the caller loads them (CheckedFile::load).
+    // Like values, but reads nothing yet. Before the caller uses values, it must load them with CheckedFile::load,
+    // which reads them and verifies their checksums.
     [[nodiscard]] virtual ValuesToLoad values_to_load(const std::string& array, std::size_t step) const = 0;
 
-    // Returns the chunk numbers of the late arrays of a step that have not been written yet, by array. Looks at the
-    // disk again at each call.
+    // Returns the late arrays (late_files.hpp) of a step that have not been written yet, with the numbers of their
+    // chunks. Reads the disk at each call.
     [[nodiscard]] virtual std::map<std::string, std::uint64_t> late_chunks(std::size_t step) const = 0;
 
-    // Returns nullopt if no ranges are stored or the scalar is not on points. Throws Error when they are damaged.
+    // Returns the range of the scalar in each block; nullopt if no ranges are stored or the scalar is not on points.
+    // Throws Error when the ranges are damaged.
     [[nodiscard]] virtual std::optional<ciel::BlockRanges> block_ranges(const ScalarName& scalar,
                                                                         std::size_t step) const = 0;
 
@@ -106,7 +109,7 @@ public:
     // nullopt if no histogram is stored. Throws Error when the histogram is damaged.
     [[nodiscard]] virtual std::optional<Histogram> histogram(const ScalarName& scalar, std::size_t step) const = 0;
 
-    // Returns the bounding boxes of the vertices of each block; nullopt if no boxes are stored.
+    // Returns, for each block, the bounding box of its vertices; nullopt if no boxes are stored.
     [[nodiscard]] virtual std::optional<ciel::BlockBoxes> block_boxes(std::size_t mesh,
                                                                       std::size_t coordinates) const = 0;
 
@@ -119,13 +122,15 @@ public:
 [[nodiscard]] bool has_magnitude(const ArrayInfo& array);
 // tuple: the components of one vertex, cell or boundary face.
 [[nodiscard]] double magnitude_of(const ArrayInfo& array, ciel::ValuesView tuple);
-// `tuples`: components, interleaved. A magnitude is no_value (no_value.hpp) if one of the components is no_value.
+// Sets out[i] to the scalar of tuple i. `tuples`: components, interleaved. A magnitude is no_value (no_value.hpp) if
+// one of the components is no_value.
 void scalars_in(const ArrayInfo& array, std::span<const float> tuples, const ScalarName& scalar, std::span<float> out);
 void scalars_in(const ArrayInfo& array, std::span<const double> tuples, const ScalarName& scalar,
                 std::span<double> out);
 // Returns the scalar of each tuple, in the type of `values`.
 [[nodiscard]] Values one_scalar(const ArrayInfo& array, ciel::ValuesView values, const ScalarName& scalar);
-// The scalars are in the order of scalar_names.
+// Returns all scalars of the array: its magnitude, if it has one, then its components. scalar_names has this order,
+// too.
 [[nodiscard]] std::vector<ScalarName> scalars_of(const ArrayInfo& array);
 // Parses the name of a scalar. Throws Error that lists the existing names when there is no scalar `name`.
 [[nodiscard]] ScalarName parse_scalar(const Dataset& dataset, const std::string& name);

@@ -6,7 +6,7 @@ namespace server::store {
 namespace {
 
 namespace fs = std::filesystem;
-// This file lies beside the dataset. A user who copies the dataset does not copy the file with it.
+// The file lies beside the dataset, not in it, so that a copy made by a user is not marked.
 constexpr const char* sign = ".imported-by-ciel-serve";
 constexpr std::size_t longest_sign = 1 << 16;
 

@@ -10,7 +10,8 @@ namespace server::store {
 // Writes a file beside `dataset` that marks it as a copy of `input`. Throws Error when the file cannot be written.
 void mark_as_copy(const std::filesystem::path& dataset, const std::filesystem::path& input);
 
-// Returns an empty text if `dataset` is not marked as a copy. Throws Error when the mark cannot be read.
+// Returns the input from which `dataset` was imported; an empty text if `dataset` is not marked as a copy. Throws Error
+// when the mark cannot be read.
 [[nodiscard]] std::string input_of_copy(const std::filesystem::path& dataset);
 
 } // namespace server::store

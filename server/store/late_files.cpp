@@ -14,17 +14,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* dataset_file = "dataset"; // beside late files that are not in their dataset: its path
+constexpr const char* dataset_file = "dataset"; // beside late files outside their dataset: the path of the dataset
 
 bool is_there(const fs::path& file) {
     std::error_code error;
     return fs::exists(file, error);
 }
 
-// `late`: a directory that is named by the id of a dataset.
+// Returns whether the dataset of these late files was removed or replaced. `late`: a directory named by the dataset's
+// id.
 bool is_forgotten(const fs::path& late) {
     const fs::path name = late / dataset_file;
-    if (!is_there(name)) return false; // an earlier version wrote the files
+    if (!is_there(name)) return false; // written by an earlier version; kept, because the dataset is not known
     const fs::path dataset = read_text(name, layout::document_bytes);
     const fs::path attributes = dataset / layout::attributes_document;
     if (!is_there(attributes)) return !is_there(dataset) && is_there(dataset.parent_path());
@@ -46,7 +47,8 @@ ArrayLayout LateFiles::layout_of(const ArrayLayout& array, std::uint64_t chunk) 
     return found;
 }
 
-// Returns nullopt if the source has no such array at this step.
+// Returns `entry` with the facts of the late file if the array has been written, else `entry` itself. Returns nullopt
+// if the source has no such array at this step.
 std::optional<MarkedArray> LateFiles::complete(const ArrayLayout& array, MarkedArray entry) const {
     std::vector<fs::path> directories{array.directory};
     if (!elsewhere_.empty()) directories.push_back(elsewhere(array.directory));
@@ -58,7 +60,7 @@ std::optional<MarkedArray> LateFiles::complete(const ArrayLayout& array, MarkedA
         std::optional<MarkedArray> known = entry;
         try {
             if (has_facts) known = parse_late_facts(read_text(facts, layout::document_bytes), facts, entry.chunk);
-        } catch (const ciel::Error&) { // the array is read from the source again
+        } catch (const ciel::Error&) { // a damaged file: the array stays late, and is read from the source again
             return entry;
         }
         if (!known) return std::nullopt;
@@ -111,7 +113,7 @@ void remove_forgotten_late_files(const fs::path& folder) noexcept {
         std::error_code ignored;
         try {
             if (is_forgotten(entry->path())) fs::remove_all(entry->path(), ignored);
-        } catch (const std::exception&) { // the dataset or the file is damaged
+        } catch (const std::exception&) { // the dataset or the file is damaged; the late files stay
             continue;
         }
     }

@@ -14,19 +14,21 @@ namespace server::store {
 
 class LateFiles {
 public:
-    // `folder`: of the late files of all datasets that cannot be written to; may be empty.
+    // `folder`: has the late files of all datasets that cannot be written to; an empty path: there is no such folder.
     LateFiles(std::filesystem::path dataset, const std::filesystem::path& folder, const std::string& dataset_id);
 
-    // Returns the array with the directory that has the file of the chunk.
+    // Returns `array`, with the directory in which the chunk lies: that of the dataset, or that in `folder`.
     [[nodiscard]] ArrayLayout layout_of(const ArrayLayout& array, std::uint64_t chunk) const;
-    // Reads whether late arrays of the step have been written since. Removes arrays that the source does not have at
-    // this step. `arrays`: by name. Throws Error when a file is damaged.
+    // Updates the late arrays of the step that have been written since the import. Removes arrays that the source does
+    // not have at this step. `arrays`: layouts by array name. An array whose facts are damaged stays late.
     void complete(MarkedStep& step, const std::map<std::string, ArrayLayout>& arrays) const;
     // Returns a number that changes whenever late arrays have been written.
     [[nodiscard]] std::uint64_t changes() const;
-    // Returns the directory in which this process writes late files. May not exist yet.
+    // Returns the directory in which this process writes late files: the dataset if it is writable, else elsewhere().
+    // May not exist yet. Throws Error when the dataset is not writable and there is no folder.
     [[nodiscard]] std::filesystem::path writable() const;
-    [[nodiscard]] const std::filesystem::path& elsewhere() const { return elsewhere_; } // empty if there is no folder
+    // Returns the directory of this dataset in `folder`; empty if there is no folder.
+    [[nodiscard]] const std::filesystem::path& elsewhere() const { return elsewhere_; }
     // Writes the path of the dataset into elsewhere(), for remove_forgotten_late_files(). Throws Error on failure.
     void name_dataset() const;
 

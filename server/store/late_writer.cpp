@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Writers that append lock the directory of the dataset itself; the two may work at the same time.
+// Locks `meshes`. Writers that append lock the directory of the dataset itself, so they can work at the same time.
 Descriptor lock_late_files(const fs::path& directory, const std::function<void()>& wait) {
     const fs::path arrays = directory / "meshes";
     make_directory(arrays);
@@ -84,11 +84,11 @@ void LateWriter::put(std::size_t step, const ArrayValues& array) {
     write(at, info, entry->second, converted(array.values, info.doubles));
 }
 
-// The chunk is renamed last: without the chunk, readers ignore the other two files.
+// Writes the ranges, the facts, and then the chunk. Without the chunk, readers ignore the other two files.
 void LateWriter::write(const Step& step, const ArrayInfo& array, std::uint64_t chunk, ciel::ValuesView values) {
     const fs::path directory = array_directory(step.mesh, array.name);
     make_directory(directory);
-    remove_left_beside(directory); // of a process that was killed
+    remove_left_beside(directory); // temporary files of a killed process
     const auto bytes = values.bytes();
     const ciel::Topology& of_mesh = topology(step.mesh);
     ArrayStep facts = statistics(values, array);

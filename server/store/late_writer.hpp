@@ -13,8 +13,8 @@ namespace server::store {
 // Not thread-safe.
 class LateWriter {
 public:
-    // Waits while another process writes late arrays of the dataset. Meanwhile, calls wait() several times a second; it
-    // may throw to give up. `folder`: see LateFiles. Throws Error when the files cannot be written.
+    // Waits while another process writes late arrays of the dataset. Meanwhile, calls wait() several times a second;
+    // wait() may throw to give up. `folder`: see LateFiles. Throws Error when the files cannot be written.
     enum class Where { in_the_dataset_if_writable, elsewhere };
     LateWriter(std::shared_ptr<const Dataset> dataset, const std::filesystem::path& folder,
                const std::function<void()>& wait, Where where = Where::in_the_dataset_if_writable);
@@ -22,13 +22,15 @@ public:
     // Returns whether an array of the step is late and has not been written.
     [[nodiscard]] bool lacks(std::size_t step) const;
     [[nodiscard]] bool lacks(std::size_t step, const std::string& array) const;
-    // Does nothing if the array is not late, or has been written. The values are converted to the type of the array.
-    // Throws Error when their number is wrong, or when a file cannot be written; the array is then still late.
+    // Writes the array. Does nothing if the array is not late, or has been written already. The values are converted to
+    // the type of the array. Throws Error when their number is wrong, or when a file cannot be written; the array is
+    // then still late.
     void put(std::size_t step, const ArrayValues& array);
-    // Declares that the source has no other late arrays at this step, and tells readers that arrays were written.
+    // Marks the late arrays that were not put as missing in the source at this step. Tells readers that arrays were
+    // written.
     void end_step(std::size_t step);
     void tell_readers() const; // that arrays were written
-    // In which the files are written: that of the dataset, or one beside others in `folder`.
+    // Directory in which the files are written: that of the dataset, or one in `folder`.
     [[nodiscard]] const std::filesystem::path& directory() const { return directory_; }
 
 private:

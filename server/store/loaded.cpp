@@ -14,11 +14,12 @@ namespace server::store {
 namespace {
 
 struct KeptField {
-    std::shared_ptr<const ciel::Topology> topology; // which queries of the field get
+    std::shared_ptr<const ciel::Topology> topology; // used by queries of the field
     ciel::Field field;
 };
 
-// An estimate: the gradients, and the values in block order, in which a vertex of several blocks is repeated.
+// Estimates the size of a field: gradients, and values in block order. Block order repeats a vertex that several blocks
+// share; the estimate is two values for each vertex.
 std::size_t field_bytes(std::uint64_t vertices, std::size_t value_bytes) {
     return vertices * (2 * value_bytes + sizeof(ciel::Vec3f));
 }
@@ -35,7 +36,8 @@ const char* name_of(Association association) {
     return "the faces of patches";
 }
 
-// The values of the returned array on cells show which cells have NaN or infinite results. It can be null.
+// Returns the cell array that belongs to a point array or patch array; null if there is none. Its values show which
+// cells have NaN or infinite results.
 const ArrayInfo* cells_of(const Dataset& dataset, const ArrayInfo& array) {
     constexpr std::string_view patch = "patch:";
     const bool of_patches = array.association == Association::boundary_face && array.name.starts_with(patch);
@@ -86,7 +88,8 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    // A slice that turns needs another plane for each picture. The layers hold the planes that are shown.
+    // One plane is enough: a slice that the user turns needs another plane for each picture, and layers hold the planes
+    // that they show.
     static constexpr std::size_t most_planes = 1;
 
     State(std::shared_ptr<Dataset> first, std::size_t budget, AskForStep asking)
@@ -129,7 +132,8 @@ struct LoadedDataset::State {
         return values;
     }
 
-    // An array that has been read since is late until the dataset is refreshed, because its ranges are not known.
+    // Throws NotYetRead if the array is late. After the array is written, it stays late until the next refresh, because
+    // its ranges are not known before.
     void check_read(const Dataset& of, const std::string& array, std::size_t step) const {
         const Step& at = of.steps()[step];
         const auto found = at.arrays.find(array);
@@ -178,7 +182,8 @@ struct LoadedDataset::State {
         return found = std::make_shared<const ciel::BlockBoxes>(*std::move(stored));
     }
 
-    // Discards the fits of the previous coordinate set, because a moving mesh would otherwise keep fits for each step.
+    // Keeps the fits (CellFits) of one coordinate set only, because a moving mesh would otherwise keep fits for each
+    // step.
     [[nodiscard]] std::shared_ptr<ciel::CellFits> cell_fits(const Step& at,
                                                             const std::shared_ptr<const ciel::Topology>& topology) {
         const std::lock_guard lock(mutex);
@@ -200,7 +205,8 @@ struct LoadedDataset::State {
             return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
         });
         of->check_intact();
-        // Does not return `topology`, because the field may have been cached before a refresh.
+        // Returns the topology of the cached field, not `topology`, because the field may have been cached before a
+        // refresh.
         return {
             kept->topology, {kept, &kept->field}, of->mesh_arrays().points_to_load(at.mesh, at.coordinates), of, step};
     }
@@ -242,7 +248,8 @@ std::shared_ptr<const ciel::Topology> LoadedDataset::topology(std::size_t mesh) 
     try {
         made = std::make_shared<const ciel::Topology>(of->topology(mesh));
     } catch (const ciel::Error&) {
-        // The message of the kernel names no file. check_unchanged names the file if a file has changed.
+        // The message of the kernel names no file. If a file has changed, check_unchanged throws an error that names
+        // the file.
         of->check_unchanged();
         throw;
     }
@@ -289,7 +296,7 @@ Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
         return {copied, copied->size_bytes()};
     });
     of->check_intact();
-    return {*made, made}; // the holder of the result keeps the cached value in use
+    return {*made, made}; // the result keeps the cached values in use
 }
 
 Histogram LoadedDataset::histogram(const std::string& name, std::size_t step, std::size_t bins,
@@ -411,7 +418,7 @@ std::size_t LoadedDataset::memory_bytes() const {
     const std::lock_guard lock(state_->mutex);
     if (state_->fits) bytes += state_->fits->memory_bytes();
     for (const auto& [index, slot] : state_->meshes) {
-        // Does not wait while a topology is made. Such a topology is not counted.
+        // Does not wait for a topology that is being made, and does not count it.
         const std::unique_lock made(slot->making, std::try_to_lock);
         if (made && slot->topology) bytes += slot->topology->memory_bytes();
     }

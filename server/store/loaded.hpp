@@ -18,15 +18,15 @@ class NotWritten : public ciel::Error {
     using ciel::Error::Error;
 };
 
-// What happens to the late arrays of a step that was asked for.
+// Answer to a request for the late arrays (late_files.hpp) of a step.
 struct LateAnswer {
-    std::string words;       // such as "is being read from its source"
-    bool has_failed = false; // they cannot be read
+    std::string words;       // state of the arrays, such as "is being read from its source"
+    bool has_failed = false; // the arrays cannot be read
 };
-// Asks for the late arrays of a step, and returns at once. Called from any thread.
+// Requests that the late arrays of a step are read, and returns at once. Called from any thread.
 using AskForStep = std::function<LateAnswer(const Dataset& dataset, std::size_t step)>;
 
-// Error: the array is late. has_failed: asking again soon is useless.
+// Error: the array is late, that is, not read from its source yet. has_failed: reading failed; do not ask again soon.
 class NotYetRead : public NotWritten {
 public:
     NotYetRead(const std::string& sentence, bool has_failed_) : NotWritten(sentence), has_failed(has_failed_) {}
@@ -34,7 +34,7 @@ public:
 };
 
 // Thread-safe. Three quarters of `field_budget_bytes` are for a least-recently-used cache of fields. One quarter is for
-// the last plane. In addition, the fits of gradients (CellFits) may use another quarter.
+// the field of the last plane. In addition, the fits of gradients (CellFits) may use another quarter.
 class LoadedDataset {
 public:
     // `ask`: called before NotYetRead is thrown; may be empty.
@@ -70,19 +70,20 @@ public:
     [[nodiscard]] std::size_t cells_with_bad_corners(const std::string& name, std::size_t step);
     // The locator keeps all data alive that it reads.
     [[nodiscard]] std::shared_ptr<const ciel::CellLocator> locator(std::size_t step);
-    // Reads one small file.
+    // Returns, for each block, the bounding box of its vertices. Reads one small file, or all positions if no boxes are
+    // stored.
     [[nodiscard]] std::shared_ptr<const ciel::BlockBoxes> boxes(std::size_t step);
     // Returns the field dot(normal, position - origin), whose iso-surfaces are slices. `origin`: in world coordinates.
     // `normal` has unit length.
     [[nodiscard]] ScalarField plane(std::size_t step, ciel::Vec3d origin, ciel::Vec3d normal);
 
     // The next three functions return positions as offsets from `origin`. `kept`: one flag per cell; if it is empty,
-    // all cells are kept. Returns the numbered faces `numbers` whose owner is kept, each once. polygon_face: the number
-    // of the face.
+    // all cells are kept. Returns the numbered faces (mesh_arrays.hpp) `numbers` whose owner is kept, each once.
+    // polygon_face: the number of the face.
     [[nodiscard]] ciel::Surface surface_of_faces(std::size_t step, std::vector<ciel::Index> numbers,
                                                  std::span<const std::uint8_t> kept, const ciel::Vec3d& origin);
-    // Returns the boundary of the kept cells. polygon_face: the number of the face, or `none` for a face inside the
-    // mesh that has no number.
+    // Returns the boundary of the kept cells. polygon_face: the number of the face, or `none` for an inner face that
+    // has no number.
     [[nodiscard]] ciel::Surface boundary_surface(std::size_t step, std::span<const std::uint8_t> kept,
                                                  const ciel::Vec3d& origin);
     // Returns the vertices of the kept cells, as a surface without polygons.

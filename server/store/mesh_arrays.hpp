@@ -1,5 +1,5 @@
 // MeshArrays: the meshes of a dataset as arrays of positions and lists of faces. Only the kernel, the store, the
-// programs that write datasets and the benchmarks read these arrays. Other rooms ask mesh_questions.hpp, LoadedDataset
+// programs that write datasets and the benchmarks read these arrays. Other code uses mesh_questions.hpp, LoadedDataset
 // and ScalarField (tests/layering/check_includes.py).
 #pragma once
 
@@ -20,9 +20,9 @@ public:
     // Like points, but reads no position. Positions are read and checked when FaceMeshView::loader loads them. If the
     // mesh was stored without blocks, reads all positions.
     [[nodiscard]] virtual ciel::FaceMeshView points_to_load(std::size_t mesh, std::size_t coordinates) const = 0;
-    // Returns the mesh with the numbered faces (ciel/numbered_faces.hpp) and with positions as in points_to_load. The
-    // first call checks the faces. Group::ids of a group of faces are numbers of these faces. Throws Error as all_faces
-    // does.
+    // Returns the mesh with the numbered faces: boundary faces, then inner faces of groups (ciel/numbered_faces.hpp).
+    // Positions are as in points_to_load. The first call checks the faces. Group::ids of a group of faces are numbers
+    // of these faces. Throws Error as all_faces does.
     [[nodiscard]] virtual ciel::FaceMeshView numbered_faces(std::size_t mesh, std::size_t coordinates) const = 0;
     // Like numbered_faces, but returns only the boundary faces, which are the first numbered faces.
     [[nodiscard]] virtual ciel::FaceMeshView boundary(std::size_t mesh, std::size_t coordinates) const = 0;

@@ -1,5 +1,5 @@
-// Questions about the faces and positions of a dataset's mesh at a step. Rooms above the store ask them here, because
-// they read no face lists. A question about faces reads and checks the faces at the first call for the mesh.
+// Functions about the faces and positions of a dataset's mesh at a step. The libraries above the store use them,
+// because these libraries read no face lists. The first call about faces of a mesh reads and checks its faces.
 #pragma once
 
 #include "ciel/mesh_faces.hpp"

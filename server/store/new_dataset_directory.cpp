@@ -89,7 +89,7 @@ void NewDatasetDirectory::commit() {
     if (!done) refuse_errno(target_, "cannot be replaced by the new dataset");
     sync_directory(target_.parent_path());
     std::error_code error;
-    if (exists) fs::remove_all(temporary_, error); // after the exchange, it has the files of the old dataset
+    if (exists) fs::remove_all(temporary_, error); // after the exchange, temporary_ has the old dataset
     temporary_.clear();
 }
 

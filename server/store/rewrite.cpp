@@ -36,13 +36,13 @@ std::pair<std::array<ciel::Index, 2>, std::vector<ciel::Index>> key_of(const cie
     return key;
 }
 
-// The boundary faces have the same order in both lists.
+// Returns for each numbered face (mesh_arrays.hpp) its id in `all`. Boundary faces have the same order in both meshes.
 std::vector<ciel::Index> ids_of_numbers(const ciel::FaceMeshView& all, const ciel::FaceMeshView& numbered) {
     std::vector<ciel::Index> ids;
     std::map<std::pair<std::array<ciel::Index, 2>, std::vector<ciel::Index>>, ciel::Index> inner;
     for (ciel::Index number = 0; number < numbered.face_count(); ++number)
         if (numbered.neighbour[number] != ciel::none) inner.emplace(key_of(numbered, number), number);
-    std::set<std::array<ciel::Index, 2>> cells; // the two cells of each of these faces
+    std::set<std::array<ciel::Index, 2>> cells; // the two cells of each face in `inner`
     for (const auto& [key, number] : inner) cells.insert(key.first);
     for (ciel::Index face = 0; face < all.face_count(); ++face)
         if (all.neighbour[face] == ciel::none) ids.push_back(face);

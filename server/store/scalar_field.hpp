@@ -1,5 +1,5 @@
-// ScalarField: a scalar of a dataset on the mesh of a step. Makes surfaces, slices and gradients, so that rooms above
-// the store need no positions and no face lists.
+// ScalarField: a scalar of a dataset on the mesh of a step. Makes surfaces, slices and gradients, so that the libraries
+// above the store need no positions and no face lists.
 #pragma once
 
 #include "ciel/sweep_sinks.hpp"
@@ -26,7 +26,7 @@ struct ScalarField {
     void set_surface_origin(const ciel::Vec3d& origin) { points_.surface_origin = origin; }
     [[nodiscard]] bool has_double_positions() const { return points_.positions.has_doubles(); }
 
-    // The field is set.
+    // Returns a Query with the positions and the field.
     [[nodiscard]] ciel::Query query(ciel::Extraction extraction = {}) const;
     // Sets the positions and the field of a Query on the same topology.
     void set_in(ciel::Query& query) const;

@@ -29,7 +29,7 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
-// Returns a null array unless `name` is "NAME:SUFFIX" and the array NAME has several components.
+// Splits "NAME:SUFFIX". Returns a null array unless `name` has this form and the array NAME has several components.
 std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std::string& name) {
     if (const auto colon = name.rfind(':'); colon != std::string::npos)
         if (const ArrayInfo* array = dataset.find(name.substr(0, colon)); array != nullptr && array->components > 1)
@@ -37,7 +37,8 @@ std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std
     return {nullptr, {}};
 }
 
-// A symmetric tensor has six components. An off-diagonal component appears twice in the matrix.
+// Returns the weight of a component in the Frobenius norm. A symmetric tensor has six components. An off-diagonal
+// component appears twice in the matrix.
 double weight(const ArrayInfo& array, std::size_t component) {
     if (array.component_names.size() != 6) return 1;
     const std::string& name = array.component_names[component];

@@ -9,7 +9,7 @@
 namespace server::store {
 namespace {
 
-// For each end of the range, also keeps the first item with this value.
+// The range of values. For each end, also keeps the first item with this value.
 class Range {
 public:
     void add(double value, ciel::Index item) {
@@ -31,7 +31,7 @@ private:
     ciel::Index lowest_ = 0, highest_ = 0;
 };
 
-// Returns no extremes if a component has no finite value, because entries are identified by their index.
+// Returns no extremes if a component has no finite value, because the index of an entry tells its component.
 std::vector<CellExtremes> extremes_of(const Range& all, const std::vector<Range>& of_component) {
     const auto is_empty = [](const Range& range) { return range.empty(); };
     if (all.empty() || std::ranges::any_of(of_component, is_empty)) return {};

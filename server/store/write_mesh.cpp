@@ -60,7 +60,7 @@ void write_ranges(const fs::path& array, std::size_t index, const ValueRanges& r
     write_file(file, to_bytes(ranges, dataset_id, checksum_number(chunk)));
 }
 
-// The positions are written first, so that those of `cells` are not in memory while the blocks are built.
+// Writes the positions before the blocks are built, so that the positions copied from `cells` are freed by then.
 MeshAttributes write_positions(const fs::path& directory, const NewMesh& added, const OriginalIds& original) {
     const ciel::FaceMesh made = added.cells != nullptr ? added.cells->points() : ciel::FaceMesh{};
     const ciel::FaceMesh& points = added.cells != nullptr ? made : added.mesh;

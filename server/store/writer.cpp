@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Coordinate sets that were written with plain Zarr have no checksums.
+// Coordinate sets that were written with plain Zarr have no checksums in the attributes, so these are computed here.
 void complete_checksums(MeshAttributes& attributes, const Dataset& dataset, std::size_t mesh) {
     const auto document = layout::mesh(dataset.directory(), mesh) / "positions" / layout::array_document;
     auto& sums = attributes.coordinate_checksums;

@@ -37,7 +37,7 @@ public:
     // Locks the dataset until the Writer is destroyed. Removes temporary files of killed writers. Throws Error when the
     // dataset is locked, damaged, or a copy that `ciel serve` made for itself (imported_copy.hpp).
     [[nodiscard]] static Writer append(const std::filesystem::path& directory);
-    // Reads only the steps that were committed since the dataset was opened.
+    // Like append(directory), but reads only the steps that were committed since the dataset was opened.
     [[nodiscard]] static Writer append(std::shared_ptr<Dataset> dataset);
     ~Writer(); // without finish(): deletes the temporary directory
     Writer(Writer&&) noexcept;
@@ -51,8 +51,8 @@ public:
     std::size_t add_mesh(const ciel::MatchedCells& cells, const ciel::FaceMesh& boundary,
                          std::span<const ciel::Index> original_vertex, std::span<const ciel::Index> original_cell,
                          std::span<const NamedGroup> groups, const SolverIds& solver = {});
-    // Valid until the next call of another function. Throws Error when the mesh does not exist, or when its blocks are
-    // damaged.
+    // Returns a reference that is valid until the next call of another function. Throws Error when the mesh does not
+    // exist, or when its blocks are damaged.
     [[nodiscard]] const ciel::Topology& topology(std::size_t mesh);
     // Returns the mapped offsets of all vertices from the mesh's origin. Throws Error when the mesh does not exist.
     [[nodiscard]] Values positions(std::size_t mesh, std::size_t coordinates) const;
@@ -72,7 +72,7 @@ public:
     void begin_step(double time, std::size_t mesh, std::size_t coordinates);
     void add_values(const ArrayValues& array);
     void end_step();
-    // Adds a step whose arrays are late (late_writer.hpp). info.doubles of a new array is its type.
+    // Adds a step whose arrays are late (late_writer.hpp). ArrayInfo::doubles sets the type of a new array.
     void add_late_step(double time, std::size_t mesh, std::size_t coordinates, std::span<const ArrayInfo> arrays);
     void set_late(LateSource source); // the source from which late arrays are read
     void add_note(const std::string& sentence);

@@ -89,7 +89,7 @@ void Writer::end_step() {
     }
     state.marker.meshes = state.meshes.size();
     state.marker.steps.push_back(state.under_way->step);
-    state.under_way.reset(); // does not delete the chunks, because put may throw after it has replaced the marker
+    state.under_way.reset(); // keeps the chunks if put throws, because put may have replaced the marker before
     try {
         state.commit().put(state.marker);
     } catch (...) {
@@ -99,7 +99,7 @@ void Writer::end_step() {
         throw;
     }
     state.last_time = time;
-    // The step is committed. Therefore errors are ignored. The next step tries again to move the steps.
+    // The step is committed, so an error of this move is ignored. The next step tries the move again.
     try {
         (void)state.commit().move_steps_to_table(state.marker);
     } catch (const std::exception&) {

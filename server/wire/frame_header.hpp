@@ -6,7 +6,8 @@
 
 namespace server::wire {
 
-// Most bytes of a WebSocket message from the server, with the header. Proxies close a socket on longer messages.
+// Largest size in bytes of a WebSocket message from the server, with the header. Proxies close a socket on longer
+// messages.
 inline constexpr std::size_t longest_message = 512 << 10;
 
 // Returns the header of the piece that begins at byte `offset` of the whole payload and has at most `most` payload

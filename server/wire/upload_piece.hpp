@@ -13,11 +13,12 @@ struct UploadPiece {
     UploadId upload{};
     std::uint32_t array = 0;             // index of the array in the order of append.begin
     std::uint64_t offset = 0;            // byte offset of `bytes` in the array's values
-    std::span<const std::uint8_t> bytes; // part of the message, not owned
+    std::span<const std::uint8_t> bytes; // view into the message, not owned
 };
 
 inline constexpr std::size_t upload_header_bytes = 40;
-// The result refers to `message`. Throws Error on a wrong magic number, version, kind, length or reserved byte.
+// Parses a message. The result refers to `message`. Throws Error on a wrong magic number, version, kind, length or
+// reserved byte.
 [[nodiscard]] UploadPiece read_upload_piece(std::span<const std::uint8_t> message);
 
 } // namespace server::wire

@@ -56,7 +56,7 @@ async function start(root: HTMLElement): Promise<void> {
   );
 }
 
-// The server may restart while the page is reloaded, and then knows no steps.
+// Keeps the undo steps in a reload of the page, because the server may restart meanwhile and lose its steps.
 server.editor.restoreSteps(savedSteps(tab.id));
 window.addEventListener("pagehide", () => saveSteps(tab.id, server.editor.stepsAsText()));
 

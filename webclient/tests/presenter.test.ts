@@ -88,6 +88,13 @@ describe("images", () => {
     expect(acknowledged).toEqual([1, 1, 2]);
   });
 
+  test("acknowledged if a piece is missing, so that the server sends the next one", () => {
+    const rest = frameBytes({ frame: 5, view: 1, offset: 8, whole: 8 + PNG_SIGNATURE.length }, PNG_SIGNATURE);
+    presenter.receive(rest);
+    expect(failures.map(({ message }) => message)).toEqual(["A piece of frame 5 is missing. Reload the page"]);
+    expect(acknowledged).toEqual([5]);
+  });
+
   test("only the newest of two is drawn, both are acknowledged", async () => {
     image(1);
     image(2);

@@ -48,14 +48,14 @@ class FrameWorkers {
 public:
     using Job = std::function<void(Worker&)>; // must not throw
 
-    // `memory` counts the buffers of the renderers. Does not own it; it must outlive the FrameWorkers.
+    // `memory` counts the buffers of the renderers. It is not owned and must outlive the FrameWorkers.
     FrameWorkers(unsigned threads, render::Backend backend, limits::Memory& memory,
                  int still_samples = frames::default_still_samples);
     ~FrameWorkers(); // waits for running jobs; drops waiting jobs
 
     // Jobs of post() run first, in order. A job of post_later() runs at `due` or later, when no job of post() waits.
-    // After waiting for a second, it overtakes the jobs of post() that wait; the next one may overtake only after all
-    // these have run. After drain(), both functions drop the job and return false.
+    // One second after `due`, the job overtakes the waiting jobs of post(). The next job of post_later() may overtake
+    // only after all these jobs have begun. After drain(), the functions drop the job and return false.
     bool post(Job job);
     bool post_later(Clock::time_point due, Job job);
     bool post_later_to(unsigned number, Clock::time_point due, Job job); // to one worker. REQUIRES: number < count()

@@ -14,7 +14,7 @@ constexpr std::size_t steps_ahead = 2, most_wanted = 8; // older requests are dr
 } // namespace
 
 struct LateStepQueue::Work {
-    std::string id;                                // of the dataset
+    std::string id;                                // id of the dataset
     std::shared_ptr<const store::Dataset> dataset; // null while no step is wanted
     std::vector<std::size_t> wanted;               // steps that were asked for; the last one is read first
     std::vector<std::size_t> ahead;                // steps that follow the step that was asked for last
@@ -46,7 +46,7 @@ store::LateAnswer LateStepQueue::ask(const store::Dataset& dataset, std::size_t 
     auto& found = works_[dataset.directory()];
     if (!found) found = std::make_unique<Work>();
     Work& work = *found;
-    if (work.id != dataset.info().id) { // another dataset has replaced it
+    if (work.id != dataset.info().id) { // another dataset is in the same directory now
         work.id = dataset.info().id;
         work.failures.clear();
         work.wanted.clear();
@@ -112,7 +112,7 @@ void LateStepQueue::read_wanted(Work& work) {
         tell_(dataset->directory());
         lock.lock();
     }
-    end(work); // in the same locked section as the last look at `wanted`
+    end(work); // under the same lock as the last check of `wanted`, so that no request is missed
 }
 
 } // namespace server::engine

@@ -22,8 +22,8 @@ namespace server::engine {
 using ReadLateStep =
     std::function<std::string(const store::Dataset& dataset, std::size_t step, const std::atomic<bool>& cancel)>;
 
-// Thread-safe. Reads one step at a time for each dataset: first the step that was asked for last, then the steps that
-// follow it in time, ahead of their use. Such reading ahead is cancelled when another step is asked for.
+// Thread-safe. Reads one step at a time for each dataset. The step that was asked for last is read first. Then the
+// steps that follow it in time are read ahead of their use. Reading ahead is cancelled when another step is asked for.
 class LateStepQueue {
 public:
     // tell(directory of the dataset): called on the threads of the queue when a step that was asked for has been read
@@ -31,7 +31,7 @@ public:
     LateStepQueue(ReadLateStep read, std::function<void(const std::filesystem::path&)> tell);
     ~LateStepQueue(); // cancels all reading, and waits for its end
 
-    // Returns at once. After a failure, the step is not read again for five minutes.
+    // Queues the step, and returns at once. After a failure, the step is not read again for five minutes.
     [[nodiscard]] store::LateAnswer ask(const store::Dataset& dataset, std::size_t step);
 
 private:

@@ -1,4 +1,4 @@
-// Runs a job on a thread that must go on after it.
+// Runs a job on a thread that must survive the exceptions of the job.
 #pragma once
 
 #include "logging/log.hpp"
@@ -17,7 +17,7 @@ void run_job(Job&& job) noexcept {
         } catch (const std::exception& error) {
             logging::log_event(logging::LogLevel::error, "a job was given up", {{"reason", error.what()}});
         }
-    } catch (const std::exception&) { // there is no memory for the line either
+    } catch (const std::exception&) { // there is no memory for the log line either
     }
 }
 

@@ -24,7 +24,8 @@ class CornerIndex {
 public:
     explicit CornerIndex(const ciel::FaceMeshView& mesh) : mesh_(mesh) {}
 
-    // Replaces each vertex of the mesh by the first vertex that was registered at the same position.
+    // Registers the positions of the vertices. Returns the vertices, each replaced by the first vertex registered at
+    // its position.
     [[nodiscard]] Corners learn(std::span<const ciel::Index> vertices);
     // Returns the corners of a cell of the input. Skips points without a registered vertex, for example mid-side nodes.
     // Returns an empty list if points were skipped and fewer than three corners are left.

@@ -6,7 +6,8 @@
 
 namespace server::importer {
 
-// Returns at most two sentences, on cells with volume and on cells without. Each has the first ten ids.
+// Returns at most two sentences: one about collapsed cells with volume, and one about those without volume. Each
+// sentence lists the first ten ids.
 [[nodiscard]] std::vector<std::string> degenerate_cells(const JoinedMesh& joined);
 
 } // namespace server::importer

@@ -1,5 +1,6 @@
-// Finds inverted face pyramids. A face is the base and the cell's center is the apex. An inverted pyramid has negative
-// volume. The import keeps cells with inverted pyramids, because their winding is consistent.
+// Finds inverted face pyramids. The base of a face pyramid is a face of a cell, and its apex is the cell's center. An
+// inverted pyramid has negative volume. The import keeps cells with inverted pyramids, because their winding is
+// consistent.
 #pragma once
 
 #include "ciel/matched_cells.hpp"

@@ -1,4 +1,5 @@
-// Checksums of the mesh of a step. A step with the same checksum `cells` as the previous step reuses its mesh.
+// Checksums of the mesh of a step. A step with the same checksum `cells` as the previous step reuses the mesh of that
+// step.
 #pragma once
 
 #include "import/source/input_grids.hpp"

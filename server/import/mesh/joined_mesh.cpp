@@ -58,7 +58,7 @@ private:
         return mesh_.members[member_].first_point + static_cast<ciel::Index>(id);
     }
 
-    // `end`: number of faces or corners of all cells. `offset` stays empty until a cell has one.
+    // `end`: number of faces (or corners) of all cells so far. `offset` stays empty as long as `end` is 0.
     void end_cell(std::size_t end, store::DiskVector<std::uint64_t>& offset) const {
         if (end == 0) return;
         if (offset.empty()) offset.reserve(mesh_.cell_types.capacity() + 1);
@@ -262,7 +262,7 @@ struct ListedFaces {
     std::size_t count = 0, corners = 0;
 };
 
-// Adds the faces in VTK's face streams of polyhedra, one after the other. A damaged stream ends the count.
+// Adds to `faces` the faces and corners in VTK's face streams of polyhedra. A damaged stream ends the count.
 void count_faces(vtkUnstructuredGrid* grid, ListedFaces& faces) {
     vtkIdTypeArray* streams = grid->GetFaces();
     const vtkIdType size = streams == nullptr ? 0 : streams->GetNumberOfValues();
@@ -278,7 +278,7 @@ void count_faces(vtkUnstructuredGrid* grid, ListedFaces& faces) {
     }
 }
 
-// Vectors that grow would take up to three times their size.
+// Reserves memory in advance, because vectors that grow take up to three times their size.
 void reserve_cells(JoinedMesh& mesh) {
     std::size_t cells = 0, corners = 0;
     ListedFaces faces;
@@ -365,11 +365,12 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
                 }
             });
     };
-    // A bucket has the edges with the same lower vertex id. Buckets are short, so that sorting takes linear time.
+    // A bucket has the edges with the same lower vertex id. Buckets are short, so sorting all of them takes linear
+    // time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0); // by vertex: its first edge
     for_each_edge([&](ciel::Index low, ciel::Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];
-    // The edges of some vertices at a time, because all edges of polyhedra would take more memory than the cells.
+    // Lists the edges of some vertices at a time, because all edges of polyhedra would take more memory than the cells.
     const std::uint64_t most_at_once = std::max<std::uint64_t>(std::uint64_t{1} << 24, bucket.back() / 8);
     std::vector<ciel::Index> upper;
     std::vector<std::uint64_t> next;

@@ -91,7 +91,7 @@ private:
 [[nodiscard]] JoinedMesh number_members(const std::vector<InputGrid>& volumes,
                                         const std::filesystem::path& folder = {});
 
-// Throws Error if one of the numbers exceeds 2^32 - 2.
+// Returns the numbers of running points and cells. Throws Error if one of the numbers exceeds 2^32 - 2.
 [[nodiscard]] RunningCounts count_running(const std::vector<InputGrid>& volumes);
 
 // Throws Error for a point id out of range, a damaged offset or face table, a cell with too few nodes, a coordinate
@@ -101,7 +101,7 @@ private:
 // Returns x, y, z of each running point: floats if floats equal all numbers of the input, else doubles.
 [[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ciel::Index point_count);
 
-// Ignores edges from a vertex to itself, which collapsed cells have.
+// Returns the number of edges, without those from a vertex to itself, which collapsed cells have.
 [[nodiscard]] std::uint64_t count_edges(const JoinedMesh& mesh);
 
 } // namespace server::importer

@@ -58,7 +58,7 @@ private:
     BoundaryFaces faces_;
 };
 
-// A welded point is replaced by its representative.
+// Matches surfaces by point ids. A welded point is replaced by its representative (Welds::representative).
 class ById {
 public:
     ById(const ciel::FaceMeshView& boundary, std::span<const ciel::Index> point_of_vertex, const JoinedMesh& joined,

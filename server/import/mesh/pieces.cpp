@@ -65,7 +65,8 @@ std::size_t piece_of_cell(const std::vector<JoinedMesh::Member>& pieces, ciel::I
     return static_cast<std::size_t>(next - pieces.begin()) - 1;
 }
 
-// Sorts the pieces by first_point, because pieces that share points can be in another order.
+// Finds the piece of a running point. Sorts the pieces by first_point, because pieces that share points can be in
+// another order.
 class PiecesByPoint {
 public:
     explicit PiecesByPoint(const std::vector<JoinedMesh::Member>& pieces) {

@@ -18,10 +18,11 @@ struct PieceJoins {
     std::uint64_t apart = 0;  // faces that coincide with a face of another piece but differ in ids or values
 };
 
-// `assembled`: the mesh assembled from `joined` before any points are joined.
+// `cells`: the cells of `joined`, matched before any points are joined.
 [[nodiscard]] PieceJoins find_cut_between_pieces(const ciel::MatchedCells& cells, const JoinedMesh& joined);
 
-// `pieces`: the members of the mesh with the data of the later step.
+// Returns whether the two points of each pair are still the same at a later step. `pieces`: the members of the mesh
+// with the data of the later step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces);
 
 } // namespace server::importer

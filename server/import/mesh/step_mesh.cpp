@@ -142,7 +142,7 @@ void name_zones(const std::vector<Zone>& zones, StepMesh& mesh) {
     }
 }
 
-// Ghost, blanked and bad cells are not in the mesh, so that they are counted as unmatched.
+// Ghost, blanked and bad cells are not in the mesh, so they count as unmatched.
 void name_cells(const JoinedMesh& joined, const std::vector<NamedCells>& zones, StepMesh& mesh) {
     if (zones.empty()) return;
     std::vector<Zone> found;

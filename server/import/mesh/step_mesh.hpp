@@ -31,7 +31,8 @@ struct StepMesh {
     std::vector<Patch> patches;
     std::vector<Seam> seams;  // welded seams only
     PointPairs joined_pieces; // running points joined between pieces
-    // No points were welded, the volumes are not pieces of one mesh, and none has cells of dimension 2.
+    // True if no points were welded, the volumes are not pieces of one mesh, and none has cells of dimension 2. Then
+    // stored_mesh() can make the StepMesh of a later step from the dataset.
     bool may_be_stored_mesh = false;
     std::vector<store::NamedGroup> groups;
     std::uint64_t input_vertices = 0, input_edges = 0, input_cells = 0; // before welding and removal of bad cells
@@ -51,11 +52,12 @@ struct StepMesh {
 // `input_grids`: another step with the same cells. If `moved` is true, also replaces the positions of the mesh.
 void update_step_mesh(StepMesh& mesh, const InputGrids& input_grids, bool moved);
 
-// `running`: `components` values per running point or cell. `stored_to_running`: point_of_vertex or cell_of_cell.
+// Returns the values in stored order. `running`: `components` values per running point or cell. `stored_to_running`:
+// point_of_vertex or cell_of_cell.
 [[nodiscard]] store::Values to_stored(ciel::ValuesView running, std::span<const ciel::Index> stored_to_running,
                                       int components);
 
-// One solver id per running point or cell. Returns an empty list if `running` is empty.
+// Returns the solver ids in stored order. `running`: one id per running point or cell; if empty, the result is empty.
 [[nodiscard]] std::vector<std::int64_t> to_stored(std::span<const std::int64_t> running,
                                                   std::span<const ciel::Index> stored_to_running);
 

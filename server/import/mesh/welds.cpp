@@ -13,7 +13,7 @@ namespace server::importer {
 
 namespace {
 
-// A share of the diagonal of the member's bounding box. Rounding in a file makes smaller differences.
+// Tolerance as a share of the diagonal of the member's bounding box. Rounding in a file makes smaller differences.
 constexpr double position_tolerance = 1e-6;
 
 class DisjointSets {
@@ -94,8 +94,8 @@ private:
         return pairs;
     }
 
-    // The wake cut of a C-grid: along the axis `fold` with n points, the points i and n - 1 - i coincide. Returns no
-    // pairs for a face that is collapsed to a line or a point (a polar axis).
+    // Returns the point pairs of the wake cut of a C-grid. If the axis `fold` has n points, the points i and n - 1 - i
+    // coincide. Returns no pairs for a face that is collapsed to a line or a point (a polar axis).
     [[nodiscard]] PointPairs folded_face(int axis, int plane, int fold) const {
         const int along = 3 - axis - fold;
         PointPairs pairs;

@@ -1,5 +1,5 @@
-// Computes the length of a classic netCDF file from its header. This detects a file that was cut off. The netCDF
-// library would read zeros after the end of such a file.
+// Computes the length of a classic netCDF file from its header. With this length, the import detects a file that was
+// cut off. The netCDF library would read zeros after the end of such a file.
 // Format: NetCDF Classic Format Specification (CDF-1, CDF-2, CDF-5).
 #pragma once
 

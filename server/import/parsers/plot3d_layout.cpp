@@ -47,7 +47,8 @@ bool plausible(const Plot3dLayout& layout, std::uint64_t most_points) {
     });
 }
 
-// Returns bytes for a binary file, numbers for a text file. `real`, `integer`: sizes of one value in this unit.
+// Returns the size of the file without its header: in bytes for a binary file, as a number of values for a text file.
+// `real`, `integer`: sizes of one value in this unit.
 std::uint64_t body_size(const Plot3dLayout& layout, Plot3dKind kind, std::uint64_t real, std::uint64_t integer) {
     const std::uint64_t marks = layout.byte_counts ? 8 : 0;
     std::uint64_t size = 0;

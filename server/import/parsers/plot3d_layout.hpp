@@ -28,8 +28,8 @@ struct Plot3dLayout {
     }
 };
 
-// Single precision comes before double precision, and layouts without iblank come before layouts with iblank. `head`:
-// the first plot3d_head_bytes of the file, or the whole file if it is shorter.
+// Returns the layouts that fit the file. Single precision comes before double precision, and layouts without iblank
+// come before layouts with iblank. `head`: the first plot3d_head_bytes of the file, or the whole file if it is shorter.
 inline constexpr std::size_t plot3d_head_bytes = 256 * 1024;
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_binary_layouts(std::span<const std::byte> head, std::uint64_t file_size,
                                                               Plot3dKind kind);
@@ -41,7 +41,7 @@ inline constexpr std::size_t plot3d_head_bytes = 256 * 1024;
 // single, records, stream, iblank, no-iblank, float32, float64, text. Throws Error for an unknown word.
 [[nodiscard]] std::vector<Plot3dLayout> plot3d_restrict(std::vector<Plot3dLayout> layouts, const std::string& words);
 
-// Both must have the same dimensions and encoding.
+// Returns whether both files have the same dimensions and encoding.
 [[nodiscard]] bool plot3d_match(const Plot3dLayout& grid, const Plot3dLayout& solution);
 
 } // namespace server::importer

@@ -18,7 +18,8 @@ namespace server::importer {
 
 namespace {
 
-// Any word may be a file name. In a file name, "*" means the digits of a time step.
+// Checks every word of the line, because any word may be a file name. In a file name, "*" means the digits of a time
+// step.
 void require_regular_words(const std::string& line, const std::filesystem::path& directory) {
     std::istringstream words(line);
     for (std::string word; words >> word;) {
@@ -32,7 +33,8 @@ void require_regular_words(const std::string& line, const std::filesystem::path&
     }
 }
 
-// The name is the second to last word, as in "tensor symm per node: 1 stress stress.***".
+// Returns the name of the tensor array that the line lists, else an empty text. The name is the second to last word, as
+// in "tensor symm per node: 1 stress stress.***".
 std::string tensor_in(const std::string& line) {
     if (!line.starts_with("tensor")) return "";
     std::istringstream words(line.substr(std::min(line.find(':'), line.size() - 1) + 1));

@@ -29,7 +29,7 @@ public:
     ExodusFile(const ExodusFile&) = delete;
     ExodusFile& operator=(const ExodusFile&) = delete;
 
-    // The element blocks are in the order in which the file numbers their elements.
+    // Returns the ids of the element blocks, in the order in which the file numbers their elements.
     [[nodiscard]] std::vector<std::int64_t> blocks() const {
         std::vector<std::int64_t> ids(
             static_cast<std::size_t>(std::max<std::int64_t>(0, ex_inquire_int(id_, EX_INQ_ELEM_BLK))));

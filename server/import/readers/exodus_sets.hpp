@@ -19,7 +19,8 @@ using ElementSet = std::vector<std::pair<unsigned, vtkIdType>>;
                                                         const std::vector<std::int64_t>& block_ids,
                                                         const std::vector<std::int64_t>& set_ids);
 
-// The cells are convex point sets. Points are enough to find a cell in the mesh (mesh/zones.hpp).
+// Returns the cells of the set as convex point sets. Their points are enough to find the cells in the mesh
+// (mesh/zones.hpp).
 [[nodiscard]] vtkSmartPointer<vtkUnstructuredGrid> copy_cells(vtkMultiBlockDataSet* blocks, const ElementSet& set);
 
 } // namespace server::importer

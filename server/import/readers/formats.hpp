@@ -44,7 +44,7 @@ std::unique_ptr<Source> open_cgns(const Inputs& inputs, const SourceOptions& opt
 std::unique_ptr<Source> open_fluent(const Inputs& inputs, const SourceOptions& options);     // fluent.cpp
 std::unique_ptr<Source> open_fluent_cff(const Inputs& inputs, const SourceOptions& options); // fluent.cpp
 
-// Returns the file, and the files that it names if it is an index of pieces or blocks.
+// Returns the file. If the file is an index of pieces or blocks, also returns the files that the index names.
 std::vector<std::filesystem::path> files_of_vtk_xml(const std::filesystem::path& file); // vtk_xml.cpp
 
 bool is_fluent(const Head& head);

@@ -40,7 +40,8 @@ void put_back(vtkDataArray* array) {
     put_back<vtkDoubleArray>(array);
 }
 
-// Also in coordinates: the import refuses points that are not finite, but would accept a stand-in such as 3e38.
+// Replaces stand-ins by NaN and infinities again, also in coordinates: the import refuses points that are not finite,
+// but would accept a stand-in such as 3e38.
 void put_back(vtkDataSet& set) {
     for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(set.GetPointData()),
                                          static_cast<vtkDataSetAttributes*>(set.GetCellData())})
@@ -52,7 +53,7 @@ void put_back(vtkDataSet& set) {
             put_back(axis);
 }
 
-// Reads a text file with NaN or infinities. VTK gets stand-ins instead of them.
+// Reads a text file with NaN or infinities. VTK reads finite stand-ins (legacy_vtk_numbers.hpp) instead.
 class StandInSource : public ReaderSource {
 public:
     StandInSource(const std::string& file, vtkSmartPointer<vtkAlgorithm> reader)

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Adds an empty second file to a family of one file. VTK's reader closes the last file at the end marker. If the last
-// file is the only file, the reader does not open it again.
+// Adds an empty second file to a family of one file. VTK's reader closes the last file of a family at the end marker,
+// and does not open it again if it is the only file.
 class PairedFamily {
 public:
     explicit PairedFamily(const fs::path& only) {

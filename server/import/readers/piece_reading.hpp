@@ -5,8 +5,8 @@
 
 namespace server::importer {
 
-// `name` may be empty. Leaves out each piece that cannot be read and adds a sentence to `lost`. If all pieces are left
-// out, throws the Error of the first piece.
+// `name`: returns the name of a piece; may be null. Leaves out each piece that cannot be read and adds a sentence to
+// `lost`. If all pieces are left out, throws the Error of the first piece.
 [[nodiscard]] vtkSmartPointer<vtkDataObject>
 read_pieces(std::size_t count,
             const std::function<vtkSmartPointer<vtkDataObject>(std::size_t piece, const ReadProgress&)>& read,

@@ -132,7 +132,8 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     return grids.front();
 }
 
-// If there are two solutions, or if the solution does not match the grid, adds no input but returns a note.
+// Adds the solution in the directory of the grid to `inputs`. If there are two solutions, or if the solution does not
+// match the grid, adds none. Returns a note in these cases; an empty text if there is no solution.
 std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     Inputs beside;
     for (const auto& file : importing::plot3d_solutions(inputs[0])) beside.push_back(file.string());
@@ -149,7 +150,8 @@ std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     return "The solution was read from " + name + ", which lies beside the grid.";
 }
 
-// Returns a note if it adds the grid, else an empty string.
+// Adds the grid in the directory of the solution to `inputs`, and returns a note. Returns an empty text if no grid is
+// needed or found.
 std::string take_grid_beside(Inputs& inputs) {
     if (inputs.size() > 1 || !layouts_of(inputs[0], Plot3dKind::grid).empty()) return "";
     const std::filesystem::path grid = importing::plot3d_grid(inputs[0]);

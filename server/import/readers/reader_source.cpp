@@ -18,7 +18,7 @@ namespace server::importer {
 
 namespace {
 
-// An exception must not pass through VTK's pipeline, which is not exception-safe.
+// Keeps an exception of `progress` until VTK returns, because VTK's pipeline is not exception-safe.
 struct Watch {
     const ReadProgress& progress;
     std::exception_ptr thrown;

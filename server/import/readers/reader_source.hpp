@@ -12,7 +12,7 @@ public:
     using ListArrays = std::function<std::vector<ArrayName>()>;
 
     // The file name of `reader` must be set. `file`: path for error texts. `list_arrays`: null if the reader cannot
-    // list the names of its output arrays. `most_steps`: later steps are ignored.
+    // list the names of its output arrays. `most_steps`: steps after this number of steps are ignored.
     ReaderSource(std::string format, std::string file, vtkSmartPointer<vtkAlgorithm> reader,
                  const ListArrays& list_arrays = nullptr, std::uint64_t most_steps = ~std::uint64_t{0});
 
@@ -30,10 +30,10 @@ private:
     std::optional<std::vector<ArrayName>> arrays_;
 };
 
-// A shallow copy, because the reader writes its next step into the same object.
+// Returns a shallow copy of a reader's output, because the reader writes its next step into the same object.
 [[nodiscard]] vtkSmartPointer<vtkDataObject> kept(vtkDataObject& output);
 
-// Calls GetNumberOfPointArrays() and similar functions, which most VTK readers have.
+// Lists the arrays of a reader with GetNumberOfPointArrays() and similar functions, which most VTK readers have.
 template <typename Reader>
 std::vector<ArrayName> arrays_of(Reader& reader) {
     std::vector<ArrayName> arrays;

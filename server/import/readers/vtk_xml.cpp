@@ -66,8 +66,8 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> take() { return std::move(files_); }
 
 private:
-    // Adds a file, the files that it names if it is an index, and those that they name. Each file is opened once,
-    // because indexes may name themselves and each other.
+    // Adds a file. If the file is an index, also adds the files that it names, and so on. Each file is opened only
+    // once, because indexes may name themselves and each other.
     void add(const std::filesystem::path& file, int depth) {
         constexpr std::uintmax_t most_bytes = 256U << 20;
         constexpr int deepest = 8;
@@ -88,7 +88,8 @@ private:
     std::unordered_set<std::string> seen_;
 };
 
-// The import joins the pieces along their cuts. VTK's reader would append them to one grid without marking them.
+// Reads the pieces one by one, so that the import can join them along their cuts. VTK's reader would append the pieces
+// to one grid without marking them.
 class PiecesSource : public ReaderSource {
 public:
     PiecesSource(const std::string& file, const vtkSmartPointer<vtkXMLReader>& whole, std::vector<std::string> pieces)

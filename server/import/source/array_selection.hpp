@@ -14,7 +14,8 @@ struct ArrayName {
     std::string name; // name in the file
 };
 
-// ':' becomes '_', because "U:x" means component x of the array U. Control characters also become '_'.
+// Returns the name of the array in the dataset. ':' becomes '_', because "U:x" means component x of the array U.
+// Control characters also become '_'.
 [[nodiscard]] std::string stored_name(const std::string& name);
 
 class ArraySelection {
@@ -22,7 +23,7 @@ public:
     // `selected`: empty for all arrays. "p" selects the point array p, the cell array cell:p and the array patch:p.
     explicit ArraySelection(std::vector<std::string> selected) : selected_(std::move(selected)) {}
 
-    // `cell_only`: "cell:" + stored selects the array too.
+    // Returns whether the array is selected. `stored`: its stored_name. `cell_only`: "cell:" + stored selects it, too.
     [[nodiscard]] bool wants(const std::string& stored, bool cell_only) const;
     void saw(const ArrayName& array);
     [[nodiscard]] bool complete() const;

@@ -37,15 +37,16 @@ public:
     // surfaces. `first`: running ids (joined_mesh.hpp) of the first point and the first cell of this source.
     virtual void add_known(InputGrids&, const RunningCounts& /*first*/) const {}
 
-    // Reads no data. May list arrays that the step lacks. Returns nullopt if the reader cannot list arrays.
+    // Returns the arrays that the reader lists for the step, without reading data. May include arrays that the step
+    // lacks. Returns nullopt if the reader cannot list arrays.
     [[nodiscard]] virtual std::optional<std::vector<ArrayName>> listed_arrays(std::size_t) const {
         return std::nullopt;
     }
     // Returns a path such as "0.5/p"; empty if the file is not known.
     [[nodiscard]] virtual std::string file_of(const ArrayName& /*array*/, std::size_t /*step*/) const { return ""; }
     // Returns the files and directories from which this step and its mesh are read, without the index of the steps.
-    // `names`: of the files of arrays, without ".gz"; where each array is in a file of its own, other files do not
-    // count. Empty if the format does not tell the files.
+    // `names`: names of array files, without ".gz". If the format has a file for each array, array files with other
+    // names are left out. Returns an empty list if the files of a step are not known.
     [[nodiscard]] virtual std::vector<std::filesystem::path> files_of(std::size_t /*step*/,
                                                                       const std::set<std::string>& /*names*/) const {
         return {};

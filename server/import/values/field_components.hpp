@@ -11,17 +11,19 @@ using ComponentsOf = std::map<std::string, std::string>; // name in the dataset 
 
 class FieldComponents {
 public:
-    // `chosen`: of_most_steps() of an earlier pass over all steps; empty in the first pass.
+    // `chosen`: result of of_most_steps() after an earlier pass over all steps; empty in the first pass.
     explicit FieldComponents(ComponentsOf chosen = {}) : chosen_(std::move(chosen)) {}
 
-    // In the first pass, the first step that has the array determines the chosen components.
+    // Counts a step of the array. Returns whether it has the chosen components. In the first pass, the first step that
+    // has the array determines the chosen components.
     [[nodiscard]] bool accept(const std::string& array, const std::string& components) {
         ++steps_[array][components];
         return chosen_.try_emplace(array, components).first->second == components;
     }
     [[nodiscard]] const std::string& chosen(const std::string& array) const { return chosen_.at(array); }
 
-    // If several are equally frequent, keeps the chosen components.
+    // Returns, by array, the components that most steps have. If several are equally frequent, keeps the chosen
+    // components.
     [[nodiscard]] ComponentsOf of_most_steps() const {
         ComponentsOf most = chosen_;
         for (const auto& [array, steps] : steps_)

@@ -32,7 +32,8 @@ struct FieldName : ArrayName {
 // Returns a text such as "6 components (xx, xy, xz, yy, yz, zz)". Equal texts mean equal components.
 [[nodiscard]] std::string components_text(const FieldName& field);
 
-// Tensor components are in the order of field.component_names. Returns no values if the array does not fit `field`.
+// Returns the values of the array in `data`, with tensor components in the order of field.component_names. Returns no
+// values if the array does not fit `field`.
 [[nodiscard]] store::Values array_values(vtkDataSet* data, const FieldName& field);
 
 } // namespace server::importer

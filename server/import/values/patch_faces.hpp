@@ -10,7 +10,8 @@ class PatchFaces {
 public:
     PatchFaces(const ciel::FaceMeshView& mesh, const std::vector<Patch>& patches);
 
-    // Faces without values get store::no_value. Returns an empty list if no patch has values. T: float or double.
+    // Returns the values on all boundary faces. Faces without values get store::no_value. Returns an empty list if no
+    // patch has values. T: float or double.
     template <class T>
     [[nodiscard]] std::vector<T> values(const std::vector<PatchValues>& of_patches, int components) const;
 

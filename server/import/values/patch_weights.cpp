@@ -21,7 +21,8 @@ struct Around { // the patch's faces around one vertex
     double area = 0;
 };
 
-// At the border all faces lie on one side, so that no weights can be exact across the border.
+// Adds the directions across the border of the patch. At the border all faces lie on one side, so that no weights can
+// be exact in these directions.
 void add_borders(const ciel::FaceMeshView& mesh, const std::vector<ciel::Index>& faces,
                  const std::vector<ciel::Vec3d>& areas, std::map<ciel::Index, Around>& around) {
     struct Side {

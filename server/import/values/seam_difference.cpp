@@ -10,7 +10,7 @@
 namespace server::importer {
 namespace {
 
-// A share of the field's range. Rounding in a file makes smaller differences.
+// Tolerance as a share of the field's range. Rounding in a file makes smaller differences.
 constexpr double field_tolerance = 1e-4;
 
 bool values_differ(ciel::ValuesView values, std::size_t width, const std::vector<Seam>& seams) {

@@ -13,7 +13,8 @@ namespace server::importer {
 // VTK's pedigree ids, the array PedigreeNodeId or PedigreeElementId. Returns null if none of them holds integers.
 [[nodiscard]] vtkDataArray* solver_id_array(vtkDataSet* data, FieldOf of);
 
-// Points and cells of members without ids get -1. Returns an empty list if no member has ids.
+// Returns one id per running point or cell. Points and cells of members without ids get -1. Returns an empty list if no
+// member has ids.
 [[nodiscard]] std::vector<std::int64_t> gather_solver_ids(const std::vector<JoinedMesh::Member>& members, FieldOf of);
 
 } // namespace server::importer

@@ -8,7 +8,8 @@ namespace server::importer {
 
 namespace {
 
-// The patch type matters only if the boundary condition is not known (OpenFOAM User Guide, "Boundary conditions").
+// Returns the role of a patch by its boundary condition, or by the patch type if the condition is not known (OpenFOAM
+// User Guide, "Boundary conditions").
 PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
     constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
@@ -20,7 +21,8 @@ PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     return std::ranges::find(free, told) != std::end(free) ? PatchRole::free : PatchRole::other;
 }
 
-// On a no-slip wall, a vector is zero on every face, although it is not zero in all cells.
+// Returns, by patch, whether it is a no-slip wall: a vector is zero on every face, although it is not zero in all
+// cells.
 std::vector<bool> find_no_slip(const StepMesh& mesh, const InputGrids& input_grids,
                                const std::vector<FieldName>& fields) {
     std::vector<bool> no_slip(mesh.patches.size(), false);
@@ -81,7 +83,7 @@ store::Origin StepArrays::origin_of(const FieldName& field) const {
     return source_.is_derived(field) ? store::Origin::derived : store::Origin::original;
 }
 
-// Gives a tensor the component order of the first step.
+// Returns false if the array does not have the chosen components. Gives a tensor the component order of the first step.
 bool StepArrays::accept(FieldName& field, const std::string& stored) {
     const std::string components = components_text(field);
     if (components_.accept(stored, components)) {

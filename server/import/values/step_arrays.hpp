@@ -24,9 +24,10 @@ struct PointMaker {
     PatchFaces patch_faces;
 };
 
-using TopologyOf = std::function<const ciel::Topology&()>; // of the step's mesh, which has been written
+// Returns the topology of the step's mesh, which has been written.
+using TopologyOf = std::function<const ciel::Topology&()>;
 
-// Called for each array. So only the arrays that the receiver keeps are in memory together.
+// Called for one array after the other, so that only the arrays that the receiver keeps are in memory.
 using ArraySink = std::function<void(const store::ArrayInfo& info, store::Values values)>;
 
 class StepArrays {

@@ -14,8 +14,8 @@ namespace server::importer {
 class ValueLoss {
 public:
     // Counts values that differ from the previous value in the input but not in the dataset, and integers that the type
-    // in the dataset cannot hold exactly. `doubles`: whether the dataset stores the array as float64. If not, it stores
-    // float32, the type of the array's first step, even if this step has a larger type.
+    // in the dataset cannot hold exactly. `doubles`: whether the dataset stores the array as float64. If false, the
+    // dataset stores float32, the type of the array's first step, even if `field` is float64.
     void look_at(const std::vector<JoinedMesh::Member>& members, const FieldName& field, bool doubles);
     [[nodiscard]] std::vector<std::string> notes() const;
 

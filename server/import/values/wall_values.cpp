@@ -85,7 +85,7 @@ void WallValues::overlay(const std::vector<PatchValues>& values, const std::vect
     if (components == 3) put_into_planes(roles, kinds, points);
 }
 
-// Vertices of no-slip walls and of patches with a fixed value keep their vectors.
+// Makes vectors on planes tangential. Vertices of no-slip walls and of patches with a fixed value keep their vectors.
 template <class T>
 void WallValues::put_into_planes(const std::vector<PatchRole>& roles, const std::vector<std::uint8_t>& kinds,
                                  std::span<T> points) const {

@@ -58,7 +58,7 @@ EGLContext create_context(const Egl& egl, EGLDisplay display, EGLConfig config) 
     std::vector<EGLint> attributes{
         EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    // A driver that cannot notify of GPU resets creates no context with these attributes.
+    // A driver that cannot report GPU resets creates no context with these attributes; then they are left out.
     std::vector<EGLint> robust{EGL_CONTEXT_OPENGL_ROBUST_ACCESS, EGL_TRUE,
                                EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET};
     robust.insert(robust.end(), attributes.begin(), attributes.end());

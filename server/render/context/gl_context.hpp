@@ -9,7 +9,8 @@
 
 namespace server::render {
 
-// Use a context only on the thread that created it. It has no default framebuffer, only framebuffer objects.
+// Use a context only on the thread that created it. Draw only to framebuffer objects: a context need not have a default
+// framebuffer.
 class GlContext {
 public:
     GlContext() = default;

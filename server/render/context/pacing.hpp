@@ -1,5 +1,6 @@
-// Cancels a picture that is no longer wanted: draws and uploads are divided into pieces, and Frame::check_wanted is
-// called between them. The GL accepts commands much faster than it executes them, so Pacing also waits for the GL.
+// Cancels a picture that is no longer wanted. Draws and uploads are divided into pieces, and Frame::check_wanted, which
+// may throw, is called between two pieces. The GL accepts commands much faster than it executes them, so Pacing also
+// waits for the GL.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -35,7 +36,7 @@ private:
     const Gl& gl_;
     std::function<void()> check_wanted_;
     Clock::time_point waited_; // time of the last wait for the GL
-    // Number of indices drawn since the last wait; number at which the next wait happens.
+    // drawn_: number of indices drawn since the last wait. until_wait_: value of drawn_ at which the next wait happens.
     std::size_t drawn_ = 0, until_wait_ = 0;
 };
 

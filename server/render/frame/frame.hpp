@@ -23,19 +23,20 @@ struct Primitives {
     // One per vertex; empty: flat shading. Normals point to the side from which the triangle is counterclockwise.
     std::span<const ciel::Vec3f> normals;
     ciel::ValuesView scalars; // one per vertex; empty: solid color
-    // A number near the scalars, used if the scalars are doubles. Floats relative to this number are precise.
+    // A number near the scalars. Before doubles are uploaded as floats, this number is subtracted, so that they keep
+    // their digits.
     double scalar_origin = 0;
     std::span<const ciel::Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;
     float line_width = 1.5F, point_size = 4; // pixels
-    // True: the lines lie on an opaque surface, so slopes of transparent surfaces do not move the lines.
+    // True: the lines lie on an opaque surface, so transparent surfaces do not move them (surface_slopes.hpp).
     bool on_opaque = false;
-    color::ColorScale scale; // maps the scalars to colors
+    color::ColorScale scale;
     // RGB of a solid color; alpha is the opacity, also of mapped colors.
     std::array<float, 4> color{0.8F, 0.8F, 0.8F, 1};
     // 0: the arrays are uploaded for every frame. Otherwise they are uploaded only if identity or revision has changed.
     std::uint64_t revision = 0;
-    std::uint64_t identity = 0; // unique number of the drawable that has these arrays
+    std::uint64_t identity = 0; // unique number of the object that owns these arrays
     bool lit = true;
 };
 
@@ -53,9 +54,9 @@ struct Occlusion {
 };
 
 struct Frame : annotations::AnnotatedPicture { // positions of primitives and volumes are offsets from `origin`
-    // Drawing order: opaque triangles, opaque points, lines, then transparent triangles from back to front. In frames
-    // with several samples, volumes, transparent lines or transparent points, transparent triangles are peeled instead,
-    // and lines and points may be in the peeled layers, too (depth_peeling.hpp).
+    // Drawing order: opaque triangles, opaque points, lines, then transparent triangles from back to front. If the
+    // frame has several samples per pixel, volumes, transparent lines or transparent points, depth peeling draws the
+    // transparent triangles instead (depth_peeling.hpp). The peeled layers may then also contain lines and points.
     std::vector<Primitives> primitives;
     // Overlapping volumes are blended slab by slab. All volumes must have the same normal.
     std::vector<Volume> volumes;

@@ -26,9 +26,9 @@ template <typename Is>
 [[nodiscard]] float widest_line(const Frame& frame); // width in pixels; 0 without lines
 [[nodiscard]] bool has_transparent_lines(const Frame& frame);
 [[nodiscard]] bool has_transparent_overlays(const Frame& frame);
-// Several samples, volumes, and transparent lines or points need depth peeling. Triangles sorted by their centers are
-// in the wrong order where they cross. Without peeling, joints of transparent lines would be blended twice, and
-// transparent points would have no order.
+// Returns whether the frame needs depth peeling: it has several samples per pixel, volumes, or transparent lines or
+// points. Triangles sorted by their centers are in the wrong order where they cross. Without peeling, joints of
+// transparent lines would be blended twice, and transparent points would have no order.
 [[nodiscard]] bool is_peeled(const Frame& frame);
 [[nodiscard]] bool has_overlays_in_layers(const Frame& frame);
 

@@ -31,8 +31,8 @@ struct Volume {
     float opacity = 1;
     // Picture pixels per ray along a side. All volumes use the largest coarseness among them.
     int coarseness = 1;
-    // For benchmarks: blends with 8 bits per channel if it is true for all volumes of the frame. Slabs that absorb less
-    // than half of 1/255 then have no effect.
+    // For benchmarks: blends with 8 bits per channel if in_bytes is true for all volumes of the frame. Slabs that
+    // absorb less than half of 1/255 then have no effect.
     bool in_bytes = false;
     std::uint64_t identity = 0, revision = 0; // as in Primitives
 };

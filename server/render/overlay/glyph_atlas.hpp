@@ -20,7 +20,8 @@ public:
 
     // Returns null if the texture is full. Then call clear(), and find all glyphs again. `pixels`: font size.
     [[nodiscard]] const AtlasGlyph* find(std::uint32_t glyph, int pixels);
-    // Doubles the side of the texture and returns true, or returns false if the texture has the largest size.
+    // Removes all glyphs. Doubles the texture's side and returns true, or returns false if the side is already the
+    // largest.
     bool clear();
     // Uploads new glyphs, and binds the texture to the active unit.
     void bind();

@@ -8,7 +8,8 @@
 namespace server::render {
 namespace {
 
-constexpr double most_reach = 0.25; // of the picture's height; with a larger radius, samples would be too far apart
+// Limit of the radius as a share of the picture's height. With a larger radius, samples would be too far apart.
+constexpr double most_reach = 0.25;
 
 enum Unit : int { found_unit = 0, depth_unit = 1, normals_unit = 2 };
 

@@ -3,7 +3,7 @@
 // Jarabo: "Practical real-time strategies for accurate indirect occlusion", SIGGRAPH 2016 courses.
 // The integral is divided by the integral for an unoccluded plane, which is therefore fully lit at any angle.
 // The lines are rotated in a fixed pattern of 4 x 4 pixels, and the result is averaged over 4 x 4 pixels of the same
-// surface. Therefore it has no noise, and does not change from frame to frame.
+// surface. Therefore the result has no noise, and does not change from frame to frame.
 #pragma once
 
 #include "annotations/camera.hpp"
@@ -20,12 +20,13 @@ public:
     AmbientOcclusion(const AmbientOcclusion&) = delete;
     AmbientOcclusion& operator=(const AmbientOcclusion&) = delete;
 
-    // `opaque` must have the depth and normals of this frame. For a frame with one sample per pixel, the texture has
-    // half the resolution. Throws Error if the GL cannot draw to this size. Blending must be off. Binds another
-    // framebuffer, changes the viewport, and leaves the depth test on.
+    // `opaque` must have the depth and normals of this frame. For a frame with one sample per pixel, light() has half
+    // the resolution. Throws Error if the GL cannot draw to this size. Blending must be off. Binds another framebuffer,
+    // changes the viewport, and leaves the depth test on.
     void find(const Frame& frame, const annotations::ViewTransform& transform, const OpaqueDepth& opaque);
 
-    // RG32F. R: share of the light that reaches the surface. G: depth / radius. stride(): picture pixels per texel.
+    // Returns an RG32F texture. R: share of the light that reaches the surface. G: depth / radius. stride(): picture
+    // pixels per texel.
     [[nodiscard]] GLuint light() const { return even_.texture; }
     [[nodiscard]] int stride() const { return stride_; }
 

@@ -10,10 +10,12 @@
 namespace server::render {
 namespace {
 
-// Layers of this picture at twice its resolution take 1.06 GB: up to 32 bytes per layer pixel, without records.
+// Largest number of picture pixels for which layers have twice the resolution of the picture. Layers of such a picture
+// take 1.06 GB: up to 32 bytes per layer pixel, without the records of lines.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// Other layers use the last picture of the volumes again, because little light from these layers reaches the eye.
+// Returns whether the volumes in front of the layer are drawn for this layer. Other layers use the previous picture of
+// the volumes, because little light from these layers reaches the eye.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;
@@ -96,7 +98,7 @@ void DepthPeeling::resize(const Picture& picture) {
         allocate(layer.depth, GL_DEPTH_COMPONENT32F, factor * width_, factor * height_);
         attach(layer.framebuffer, color_, layer.depth);
     }
-    // The format is RGBA16, because with RGBA16F each of many layers would lose up to a bit of precision.
+    // The format of the sum is RGBA16. With RGBA16F, each of many layers would lose up to a bit of precision.
     allocate(sum_, GL_RGBA16, factor * width_, factor * height_);
     attach(sum_framebuffer_, sum_, 0);
     factor_ = factor;
@@ -176,7 +178,8 @@ void DepthPeeling::draw(const Picture& picture, Target& target) {
     put_on(picture, target, volumes(0, 0));
 }
 
-// The samples of a multisampled target are not in the middles of layer pixels, so the depths are drawn there.
+// Returns a texture of the opaque depths in the middles of layer pixels. The samples of a multisampled target are not
+// in these middles, so the opaque depths are drawn again.
 GLuint DepthPeeling::find_opaque(const Picture& picture, Target& target) {
     if (picture.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
@@ -190,7 +193,8 @@ GLuint DepthPeeling::find_opaque(const Picture& picture, Target& target) {
     return picture.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(picture);
 }
 
-// All layer pixels of a picture pixel must be on the same side of an outline, as draw_per_sample() requires.
+// Returns a texture of opaque depths in which all layer pixels of a picture pixel are on the same side of an outline,
+// as draw_per_sample() requires.
 GLuint DepthPeeling::keep_to_outlines(const Picture& picture) {
     kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.DepthFunc(GL_ALWAYS);

@@ -25,7 +25,8 @@ public:
     struct Picture {
         int width = 0, height = 0; // size of the picture in pixels
         int samples = 1;           // samples per pixel of the picture; see has_finer_layers()
-        // Draws the transparent lines of a layer again, after set_nearer(program, true). Empty without such lines.
+        // Draws the transparent lines of a layer again, to join their segments. Must call set_nearer(program, true).
+        // Empty if there are no transparent lines.
         std::function<void()> join_lines;
         int most_layers = 32; // layers beyond this count are dropped
         // True: there are many small layers, so volumes are drawn only for the 1st, 2nd, 3rd, 5th, 9th, ... layer.
@@ -36,11 +37,12 @@ public:
         std::function<void()> draw_opaque;
         // Draws transparent surfaces, and the lines and points among them, with the peeling programs.
         std::function<void()> draw_surfaces;
-        // From front to back, with the program between(). Empty if there are no such points or draw_surfaces draws
-        // them.
+        // Draws transparent points between two layers from front to back, with the program between(). Empty if there
+        // are no transparent points or draw_surfaces draws them.
         std::function<void()> draw_between;
         // Returns a texture (premultiplied RGBA) of the volumes in front of a layer, valid where the layer has colors.
-        // For (0, 0), they are those in front of the opaque surfaces, valid everywhere. Empty if there are no volumes.
+        // For (0, 0), returns a texture of the volumes in front of the opaque surfaces, valid everywhere. Empty if
+        // there are no volumes.
         std::function<GLuint(GLuint depth, GLuint color)> volumes;
     };
     // The peeling programs. set_nearer() sets their uniforms for peeling. The caller sets all other uniforms.

@@ -1,5 +1,6 @@
-// The depth of opaque surfaces in the middle of each pixel, and optionally the normals of these surfaces. They are
-// drawn separately, because the samples of a multisampled picture are not in the middle of its pixels.
+// Textures of the depth of opaque surfaces in the middle of each pixel, and optionally of the normals of these
+// surfaces. They are drawn in a pass of their own, because the samples of a multisampled picture are not in the middle
+// of its pixels.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -13,7 +14,7 @@ public:
     OpaqueDepth(const OpaqueDepth&) = delete;
     OpaqueDepth& operator=(const OpaqueDepth&) = delete;
 
-    // The caller draws to the bound framebuffer. Throws Error if the GL cannot draw to this size.
+    // Binds a framebuffer with cleared depth, to which the caller draws. Throws Error if the GL cannot draw this size.
     void begin(int width, int height, bool with_normals);
     void go_on() const;                                       // binds the framebuffer again without clearing
     [[nodiscard]] GLuint texture() const { return texture_; } // window depths, GL_DEPTH_COMPONENT24

@@ -15,8 +15,8 @@ void check_primitives(const Primitives& mesh);
 class PrimitiveBuffers {
 public:
     explicit PrimitiveBuffers(const Gl& gl);
-    // Revision 0 is always uploaded, others only if identity or revision has changed. Throws the errors of
-    // check_primitives(). If cancelling (pacing.hpp) interrupts an upload, call load() again before draw().
+    // Uploads the mesh if its revision is 0, or if identity or revision has changed since the last load(). Throws the
+    // errors of check_primitives(). If cancelling (pacing.hpp) interrupts an upload, call load() again before draw().
     void load(const Primitives& mesh);
     // `mesh`: the mesh of load(). Its color, point size, scale and lighting may have changed since then.
     void draw(const Primitives& mesh, const ScaleRow& scale) const;

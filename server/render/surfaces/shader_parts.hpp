@@ -11,8 +11,8 @@ extern const char* const surface_block;
 extern const std::string surface_vertex;
 // GLSL of depth_on_surface(), for lines and points.
 extern const std::string on_surface_glsl;
-// is_seen() tells whether a fragment is behind the previous layer. recorded_glsl is for layers with transparent lines:
-// it declares an output for the last transparent line at each pixel. Otherwise use peeled_glsl.
+// Both define is_seen(), which returns whether a fragment is behind the previous layer. recorded_glsl is for layers
+// with transparent lines: it declares an output for the last transparent line at each pixel.
 extern const char* const peeled_glsl;
 extern const char* const recorded_glsl;
 

@@ -37,9 +37,9 @@ void main() {
 }
 )";
 
-// is_seen() for lines that are drawn again after the volumes: only fragments in front of the volumes are visible. A
-// steep boundary face may be nearer than a line on it in the middle of the pixel. Therefore a line may be behind the
-// face by the rise of the face over one pixel.
+// is_seen() for lines that are drawn again after the volumes: only fragments in front of the volumes are visible. In
+// the middle of a pixel, a steep boundary face may be nearer than a line that lies on the face. Therefore a line is
+// also visible if it is behind the face by at most the rise of the face over one pixel.
 constexpr const char* before_volume_glsl = R"(
 uniform float before_volume; // 1: only fragments in front of the volumes are visible
 uniform sampler2D volume_limits;
@@ -87,7 +87,7 @@ void main() {
 }
 )";
 
-// R: the slope of a triangle; G: the slope, limited by the triangle's extent in depth. Both: window depth per pixel.
+// slopes_fragment writes R: slope of a triangle, in window depth per pixel; G: slope limited by its extent in depth.
 const std::string slopes_geometry = R"(#version 330 core
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;

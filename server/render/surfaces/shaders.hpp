@@ -17,7 +17,7 @@ enum Attribute : GLuint {
     attribute_style = 5,
 };
 
-// Samples per pixel at which the edge of a point is computed. Points ignore further samples.
+// Largest number of samples per pixel at which the edge of a point is computed. Points ignore further samples.
 inline constexpr std::size_t most_point_samples = 8;
 
 // A GL program, and the locations of its uniforms. A location is -1 if the program does not have the uniform.

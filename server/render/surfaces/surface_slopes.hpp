@@ -1,5 +1,6 @@
-// The depth of opaque surfaces, and the slopes of transparent surfaces. Lines and points on a surface are moved nearer
-// to the eye by the rise of the surface under their width (on_surface_glsl in shader_parts.cpp).
+// Makes textures of the depth of opaque surfaces and the slopes of transparent surfaces. From these textures, shaders
+// of lines and points find the rise of a surface under a line or point, and move the line or point nearer to the eye by
+// this rise (on_surface_glsl in shader_parts.cpp).
 #pragma once
 
 #include "render/surfaces/shaders.hpp"
@@ -31,7 +32,7 @@ private:
     const Gl& gl_;
     Program program_;
     Sheet sheets_;
-    // far_ is used if there are no opaque surfaces, flat_ if there are no transparent surfaces.
+    // Textures of one texel: far_ is used without opaque surfaces, flat_ without transparent surfaces.
     GLuint opaque_ = 0, framebuffer_ = 0, far_ = 0, flat_ = 0;
     GLuint opaque_used_ = 0, sheets_used_ = 0;
     int width_ = 0, height_ = 0;

@@ -36,7 +36,8 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& all, const 
     }
     depth_row_ = depth_row;
     is_sorted_ = sorted;
-    // Of coincident triangles, peeling keeps the triangle that is drawn first, which must be from the last mesh.
+    // Of coincident triangles, peeling keeps the triangle that is drawn first. This must be the triangle of the last
+    // mesh, so the order is reversed.
     if (sorted)
         sort();
     else

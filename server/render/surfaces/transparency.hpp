@@ -17,7 +17,8 @@ public:
     explicit TransparentTriangles(const Gl& gl);
 
     // Uploads only what has changed. depth_row: the row of the view matrix that gives -depth, so larger values are
-    // nearer. `sorted`: from far to near. If cancelling (pacing.hpp) interrupts an upload, load() again before draw().
+    // nearer. `sorted`: sorts from far to near. If cancelling (pacing.hpp) interrupts an upload, load() again before
+    // draw().
     void load(const std::vector<ScaledPrimitives>& all, const glm::vec4& depth_row, bool sorted);
     [[nodiscard]] bool is_empty() const { return triangles_.empty(); }
     void draw() const;

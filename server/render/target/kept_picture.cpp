@@ -8,7 +8,7 @@
 namespace server::render {
 namespace {
 
-constexpr double most_by_tiles = 0.6; // share of the dirty tiles; above it, one full clear is faster
+constexpr double most_by_tiles = 0.6; // largest share of dirty tiles; above it, one full clear is faster
 
 constexpr const char* background_fragment = R"(#version 330 core
 uniform vec3 top;
@@ -57,7 +57,8 @@ void KeptPicture::begin(const Background& background, const TouchedTiles& touche
     is_drawn_ = true;
 }
 
-// Only the second of two frames with the same background calls this: single pictures do not need clean_.
+// Reads the background into clean_. Called only for the second of two frames with the same background, because a single
+// picture does not need clean_.
 void KeptPicture::keep_background() {
     target_.read({0, 0, background_.width, background_.height}, clean_);
     target_.bind_again();

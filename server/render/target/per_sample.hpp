@@ -9,8 +9,9 @@
 
 namespace server::render {
 
-// GLSL of seen_from(), the position in pixels from which a fragment takes its color. If `of_samples`, it is the nearest
-// pixel whose ray hits or misses the surface as the samples do. Otherwise it is the position of the fragment.
+// Returns the GLSL of seen_from(), which returns the position in pixels from which a fragment takes its color. If
+// `of_samples`, this is the nearest pixel whose ray hits or misses the surface as the samples do. Otherwise it is the
+// position of the fragment.
 [[nodiscard]] const char* seen_from_glsl(bool of_samples);
 
 struct PerSample {

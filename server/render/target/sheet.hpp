@@ -10,7 +10,7 @@ class Sheet {
 public:
     explicit Sheet(const Gl& gl);
 
-    // A change keeps the GL name of the texture. Throws Error if the GL cannot draw to this size.
+    // Sets format and size. A change keeps the GL name of the texture. Throws Error if the GL cannot draw to this size.
     void size(GLint format, int width, int height);
     void begin() const; // binds the framebuffer, with a viewport of the texture's size
     [[nodiscard]] GLuint texture() const { return texture_; }

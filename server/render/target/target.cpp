@@ -8,9 +8,10 @@
 namespace server::render {
 namespace {
 
-constexpr int band_rows = 32; // per glReadPixels; so few rows are still in the CPU cache when their alpha is removed
+// Rows per glReadPixels: so few that they are still in the CPU cache when their alpha is removed.
+constexpr int band_rows = 32;
 
-// One store of 8 and one of 4 bytes; smaller stores that assemble the bytes in memory would stall the CPU.
+// Writes one store of 8 bytes and one of 4 bytes. Smaller stores that assemble the bytes in memory would stall the CPU.
 void drop_alpha_of_four(const std::uint8_t* rgba, std::uint8_t* rgb) {
     static_assert(std::endian::native == std::endian::little);
     std::array<std::uint64_t, 2> pairs{};

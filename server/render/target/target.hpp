@@ -22,9 +22,10 @@ public:
     // Returns the window depth at a pixel counted from the top left; 1 where nothing was drawn.
     [[nodiscard]] float read_depth(int x, int y);
     void bind_again();
-    // Offsets from the middle of a pixel to the right and up, in pixels; only (0, 0) for a single sample.
+    // Returns the samples' offsets from the middle of a pixel to the right and up, in pixels; (0, 0) for a single
+    // sample.
     [[nodiscard]] std::vector<std::array<float, 2>> sample_places() const;
-    // Copies one sample per pixel. The framebuffer must have the same size, and GL_DEPTH_COMPONENT24.
+    // Copies the depth of one sample per pixel to a framebuffer of the same size with GL_DEPTH_COMPONENT24.
     void copy_depth(GLuint framebuffer);
 
 private:

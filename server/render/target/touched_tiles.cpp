@@ -36,7 +36,8 @@ public:
         return true;
     }
 
-    // A slanted line touches only a few tiles of its bounding box `whole`, so the line is divided into short pieces.
+    // Calls function(span) for the tiles of each piece of a line. The line is divided into short pieces, because a
+    // slanted line touches only a few tiles of its bounding box `whole`.
     template <class Function>
     void for_pieces(const ciel::Vec3f& from, const ciel::Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);
@@ -60,7 +61,7 @@ private:
     float half_width_, half_height_, most_x_, most_y_, reach_;
 };
 
-// In pixels, with a margin for rounding.
+// Returns how far a primitive extends beyond its vertices, in pixels, with a margin for rounding.
 float reach_of(const Primitives& mesh) {
     if (mesh.points) return mesh.point_size / 2 + 2;
     return mesh.lines ? mesh.line_width + 2 : 1;
@@ -103,10 +104,6 @@ void TouchedTiles::touch(const Primitives& mesh, const annotations::ViewTransfor
         else
             touch_span(all);
     }
-}
-
-void TouchedTiles::add(const TouchedTiles& other) {
-    for (std::size_t i = 0; i < tiles_.size(); ++i) tiles_[i] |= other.tiles_[i];
 }
 
 double TouchedTiles::share() const {

@@ -26,13 +26,10 @@ public:
     // Marks all tiles if a vertex is behind the near plane or not finite.
     void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
 
-    void add(const TouchedTiles& other); // marks the tiles of `other`, which has the same size
-    [[nodiscard]] bool is_of(int width, int height) const { return width_ == width && height_ == height; }
     [[nodiscard]] double share() const; // number of touched tiles / number of all tiles
     [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }
-    [[nodiscard]] int columns() const { return columns_; }
-    [[nodiscard]] int rows() const { return rows_; }
-    // Leaves out tiles that are touched in `except`. Consecutive rows with the same tiles are in the same boxes.
+    // Returns boxes that cover the touched tiles, without the tiles that are touched in `except`. Consecutive rows with
+    // the same tiles are in the same boxes.
     [[nodiscard]] std::vector<PixelBox> boxes(const TouchedTiles* except = nullptr) const;
 
 private:

@@ -1,5 +1,6 @@
-// Sorts the triangles of a volume's slices. Inner triangles are far from the mesh's boundary: a ray through one is
-// inside the mesh over the whole slab, so their program does not look up entries and exits.
+// Sorts the triangles of a volume's slices into inner and outer ones. Inner triangles are far from the mesh's boundary:
+// a ray through an inner triangle is inside the mesh over the whole slab. Therefore the program for inner triangles
+// does not look up where rays enter and leave the mesh.
 #pragma once
 
 #include "render/frame/volume.hpp"
@@ -14,8 +15,8 @@ struct SortedSlice {
     std::size_t outer = 0; // number of indices in `triangles` before the first inner triangle
 };
 
-// Tangent of the largest angle between a ray and the volume's normal up to which inner triangles are valid. Slabs
-// normal to a box axis use the axis nearest to the view direction. Therefore larger angles occur only in close views.
+// Tangent of the largest angle between a ray and the volume's normal up to which inner triangles are valid. Larger
+// angles occur only in close views, or if the scene requests slabs across an axis that is far from the view direction.
 inline constexpr double widest_inner = 3;
 
 // Returns the middle slice of each drawn slab, which consists of Volume::stride slabs; empty if there is no such slice.

@@ -13,7 +13,8 @@ using Corners = std::array<glm::dvec3, 8>;
 
 glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns infinity unless all rays are on the same side of the plane through the eye with this normal.
+// Returns the largest tangent of the angle between a ray and `normal`. Returns infinity unless all rays are on the same
+// side of the plane through the eye with this normal.
 double widest_tangent(const glm::dvec3& normal, const Corners& rays) {
     double widest = 0;
     for (const glm::dvec3& ray : rays) {

@@ -3,12 +3,13 @@
 // draws each piece, so that each fragment knows the property and its gradient at one point of its piece:
 //   A fragment of a slice draws the piece that contains the slice.
 //   A fragment of a front face draws the piece that begins on the face, unless the piece contains a slice.
-//   A fragment of a back face draws the piece that ends on the face, if it begins at the slab's front and has no slice.
+//   A fragment of a back face draws the piece that ends on the face, if this piece begins at the slab's front and
+//   contains no slice.
 // Near an entry or exit, rounding decides which pixels a slice covers, so the fragment of the face draws the piece.
 // If a ray ends on an opaque surface before the slice of a slab, the fragment in the slab in front extends its piece to
 // the surface. If the eye is inside the mesh, the fragment in the slab of the first slice extends its piece to the eye.
-// Constants of a slab come through the vertices: with uniforms, llvmpipe looked up the value for each pixel, which took
-// a third of the time of these programs.
+// Vertex shaders pass the constants of a slab to the fragments. If these were uniforms, llvmpipe would look up their
+// values for each pixel, which takes a third of the time of these programs.
 #include "render/volume/slab_shaders.hpp"
 
 #include "render/volume/volume_shaders.hpp"
@@ -182,7 +183,7 @@ void main() {
 }
 )";
 
-// Uses depths, because all positions across a slab are equal on a ray that runs along the slab.
+// Uses depths instead of positions across the slab, because these are constant on a ray that runs along the slab.
 constexpr const char* edge_fragment = R"(
 flat in vec4 slab_row; // index of the slab, index of the last slab, 1 / picture size
 #ifdef PARALLEL
@@ -243,7 +244,8 @@ void main() {
 }
 )";
 
-// Selects the part of the ray that contains the slice, or that begins or ends on the face.
+// Returns GLSL that selects a part of the ray inside the mesh: the part that contains the slice or, for `edge`, that
+// begins or ends on the boundary face.
 std::string later_parts(int parts, bool edge) {
     std::string text;
     for (int i = 1; i < parts; ++i) {

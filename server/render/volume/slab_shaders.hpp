@@ -14,7 +14,8 @@ enum VolumeAttribute : GLuint {
     volume_limits = 3,
 };
 
-// Slice programs draw the pieces of rays that contain a slice. The edge program draws the others, by boundary faces.
+// Slice programs draw the pieces of rays that contain a slice. Edge programs draw the other pieces, with the fragments
+// of boundary faces.
 struct SlabProgramKind {
     int parts = 1; // number of separate parts of a ray inside the mesh
     bool shaded = false, clipped = false, opaque = false, parallel = false;

@@ -19,8 +19,8 @@ public:
 
     explicit VolumeBuffers(const Gl& gl);
 
-    // Does nothing if identity, revision and stride have not changed. Throws Error if slices or boundary are missing,
-    // if thickness or stride is not positive, or if an index is too large.
+    // Does nothing if identity, revision and stride have not changed, unless revision is 0. Throws Error if slices or
+    // boundary are missing, if thickness or stride is not positive, or if an index is too large.
     void load(const Volume& volume);
     void bind_slices() const { gl_.BindVertexArray(slices_.array); }
     void bind_boundary() const { gl_.BindVertexArray(boundary_.array); }
@@ -29,13 +29,13 @@ public:
     // A drawn slab consists of Volume::stride slabs. It has a middle slice, and boundary triangles that intersect it.
     [[nodiscard]] const std::vector<Slice>& slices() const { return slice_of_slab_; }
     [[nodiscard]] const std::vector<IndexRange>& boundary_of_slabs() const { return boundary_of_slab_; }
-    // Triangles of a slab's slice or boundary, split into consecutive parts.
+    // Triangles of a slab's slice or boundary, split into consecutive ranges.
     [[nodiscard]] const std::vector<BoxedRange>& ranges_of_slice(std::size_t slab) const { return slice_ranges_[slab]; }
     [[nodiscard]] const std::vector<BoxedRange>& ranges_of_boundary(std::size_t slab) const {
         return boundary_ranges_[slab];
     }
     [[nodiscard]] const IndexRange& whole_boundary() const { return whole_boundary_; }
-    [[nodiscard]] const Bounds& bounds() const { return bounds_; } // box of the boundary
+    [[nodiscard]] const Bounds& bounds() const { return bounds_; }
     // Hash of the boundary's positions and triangles. It does not depend on the property.
     [[nodiscard]] std::uint64_t boundary_places() const { return boundary_places_; }
 

@@ -1,6 +1,6 @@
-// Coverage of pixels by the clipped mesh. A point of a clip plane is inside the mesh if the ray behind it leaves the
-// mesh once more often than it enters the mesh. Exits and entries are counted as for shadow volumes, after F. Crow,
-// "Shadow algorithms for computer graphics", SIGGRAPH 1977.
+// Finds the coverage of pixels by the clipped mesh. A point of a clip plane is inside the mesh if the view ray, from
+// this point on, leaves the mesh once more often than it enters the mesh. Exits and entries are counted as for shadow
+// volumes, after F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977.
 #include "render/volume/volume_coverage.hpp"
 
 #include <algorithm>

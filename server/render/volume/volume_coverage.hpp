@@ -22,7 +22,7 @@ public:
     void begin(const VolumeView& view);
     void add(const VolumeBuffers& buffers) const;
     void finish();
-    [[nodiscard]] GLuint texture() const { return shares_.texture(); } // R8: share of each pixel
+    [[nodiscard]] GLuint texture() const { return shares_.texture(); } // R8: covered share of each pixel
 
 private:
     void allocate(int width, int height, int samples);

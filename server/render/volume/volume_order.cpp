@@ -70,7 +70,8 @@ std::vector<double> borders(std::span<const SlabRow> rows, double eye) {
     return all;
 }
 
-// If the eye is in the volume and less than one slab from the slice, the slice also draws the part up to the eye.
+// Returns the ends of the interval that the slice of a slab draws. If the eye is in the volume and less than one slab
+// from the slice, this interval extends to the eye. Otherwise it is the slab.
 std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     const double middle = middle_of(row, slab), half = row.thickness / 2;
     const double last = row.first + static_cast<double>(row.count) * row.thickness;
@@ -79,7 +80,8 @@ std::array<double, 2> seen(const SlabRow& row, std::size_t slab, double eye) {
     return middle >= eye ? std::array{eye, middle + half} : std::array{middle - half, eye};
 }
 
-// If the middle of the slab and `place` are on different sides of the eye, the next slab draws the light at `place`.
+// Returns the slab that draws the light at `place`, or nullopt outside the volume. This is the slab that contains
+// `place`, or the next slab if the middle of that slab and `place` are on different sides of the eye.
 std::optional<std::size_t> slab_at(const SlabRow& row, double place, double eye) {
     double slab = std::floor((place - row.first) / row.thickness);
     if (slab < 0 || slab >= static_cast<double>(row.count)) return {};

@@ -1,4 +1,4 @@
-// Blend order of the slabs of overlapping volumes.
+// Finds the order in which the slabs of overlapping volumes are blended.
 #pragma once
 
 #include <cstddef>
@@ -18,18 +18,19 @@ struct SlabOfVolume {
     bool operator==(const SlabOfVolume&) const = default;
 };
 
-// Pieces per unit of length, and the largest number of pieces between two slab borders.
+// How slabs are divided: pieces per unit of length, and the largest number of pieces between two slab borders.
 struct SlabPieces {
     double per_length = 0;
     std::size_t most = 1;
 };
 
-// Returns the slabs from back to front for every ray through the eye: first those below the eye, in ascending order,
-// then those above it, in descending order. `eye`: its coordinate along the slabs' normal, infinite for parallel rays.
-// Slabs of different thickness are ordered by their middles. The light of coincident slabs mixes in the same space, so
-// their order alternates from slab to slab. If the order would be visible, they are divided into pieces that alternate,
-// so that the error decreases with the square of their length: G. Strang, "On the construction and comparison of
-// difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces of one slab are merged.
+// Returns the slabs from back to front for every ray through the eye: first the slabs below the eye, in ascending
+// order, then the slabs above the eye, in descending order. `eye`: coordinate of the eye along the slabs' normal,
+// infinite for parallel rays. Slabs of different thickness are ordered by their middles. The light of coincident slabs
+// mixes in the same space, so their order alternates from slab to slab. If the order would be visible, coincident slabs
+// are divided into pieces that alternate. The error then decreases with the square of the length of the pieces: G.
+// Strang, "On the construction and comparison of difference schemes", SIAM J. Numer. Anal. 5, 1968. Consecutive pieces
+// of one slab are merged.
 [[nodiscard]] std::vector<SlabOfVolume> back_to_front(std::span<const SlabRow> rows, double eye,
                                                       SlabPieces pieces = {});
 

@@ -15,12 +15,12 @@
 namespace server::render {
 namespace {
 
-constexpr int table_unit = 1; // for the transfer table; VolumeRays does not use it
+constexpr int table_unit = 1; // texture unit of the transfer table; VolumeRays does not use this unit
 enum Unit : int { picture_unit = 0, opaque_unit = 1, covered_unit = 2, limits_unit = 3 }; // compositing programs
 
 glm::dvec3 vector_of(const ciel::Vec3d& v) { return {v[0], v[1], v[2]}; }
 
-// Returns (a, b) so that value * a + b is from 0 to 1 in the transfer table. An empty range is mapped to the middle.
+// Returns (a, b): value * a + b is a position in the transfer table, from 0 to 1. An empty range maps to the middle.
 glm::vec2 normalisation(const color::ColorScale& scale) {
     const color::TableExtent extent = color::table_extent(scale);
     const auto [low, high] = extent.values(scale.range);
@@ -30,7 +30,8 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// Factor of the picture of all volumes. A volume with a smaller opacity has a transfer table with less extinction.
+// Returns the factor by which the picture of all volumes is multiplied. A volume with a smaller opacity has a transfer
+// table with less extinction.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -201,7 +202,7 @@ VolumePainter::RaysAcross VolumePainter::rays_across(const Volume& volume) const
             {view_.eye_along(volume.normal) + glm::dot(sideways, rays.side_corner), sideways * rays.side_step}};
 }
 
-// `program` must be in use.
+// REQUIRES: `program` is the GL program in use (ShaderProgram::use()).
 void VolumePainter::set_light(const ShaderProgram& program, const Volume& volume) const {
     program.set("transform", glm::mat4(view_.transform->projection * view_.transform->view));
     program.set("view", glm::mat4(view_.transform->view));
@@ -275,9 +276,10 @@ void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t
     slot.buffers->bind_boundary();
 }
 
-// The error from a wrong order is about the product of the optical depths of two coincident pieces.
+// The error from a wrong order of two coincident pieces is about the product of their optical depths. Therefore denser
+// slabs are divided into shorter pieces.
 SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
-    // least_loss: geometric mean of the optical depths of two coincident pieces. widest: upper limit of slab_angle_.
+    // least_loss: largest geometric mean of the optical depths of coincident pieces. widest: limit of slab_angle_.
     constexpr double least_loss = 0.1, widest = 3;
     double first = 0, second = 0; // the two largest extinctions per unit of length
     bool moving = false;
@@ -343,7 +345,8 @@ void VolumePainter::draw_slab(const Volume& volume, const Slot& slot, std::size_
     slot.buffers->draw(inner);
 }
 
-// Both uniforms are in half slabs along the normal. `across`: advance of a ray per unit of depth.
+// Both uniforms are in half slabs along the normal. `across`: advance of a ray per unit of depth. `start`: distance
+// from the start of a ray, at depth 0, to the slice.
 void VolumePainter::set_slice(const ShaderProgram& program, const Volume& volume, double place) const {
     const auto [per_depth, start] = rays_across(volume);
     const double ahead = view_.frame->camera.parallel ? per_depth.x : place - start.x;

@@ -28,13 +28,13 @@ public:
     // Leaves the target bound, and depth test and blending on. Throws Error if the volumes' normals differ or their
     // slabs are not finite. Throws the errors of VolumeBuffers::load(), too.
     void draw(const Frame& frame, const annotations::ViewTransform& transform, Target& target);
-    // Returns a texture with all volumes in front of `layer`, valid only at the pixels of the layer, until the next
-    // call. Without a layer, it has all volumes in front of opaque surfaces, and is valid at all pixels. It is RGBA32F
-    // and premultiplied. Throws the errors of draw(). Binds another framebuffer, changes the viewport, and leaves depth
-    // test and blending on.
+    // Returns a texture (RGBA32F, premultiplied) with all volumes in front of `layer`. The texture is valid until the
+    // next call, and only at the pixels of the layer. If the textures of `layer` are 0, the result has all volumes in
+    // front of opaque surfaces and is valid at all pixels. Throws the errors of draw(). Binds another framebuffer,
+    // changes the viewport, and leaves depth test and blending on.
     [[nodiscard]] GLuint picture_until(const Frame& frame, const annotations::ViewTransform& transform,
                                        const LayerInVolumes& layer);
-    // RGBA32F texture. A: the window depth at which the volumes begin. 0 before the first volume is drawn.
+    // Returns an RGBA32F texture. A: window depth at which the volumes begin. Returns 0 before a volume is drawn.
     [[nodiscard]] GLuint limits() const { return rays_.begin_of_all(); }
 
 private:
@@ -48,8 +48,8 @@ private:
     };
     struct Slot { // GL objects of one volume
         explicit Slot(const Gl& gl) : all(gl), some(gl) {}
-        // Interactive pictures draw only some slices (stride > 1). With two sets, nothing is uploaded when the camera
-        // starts or stops moving.
+        // Interactive pictures draw only some slices (stride > 1). With two sets of buffers, nothing is uploaded when
+        // the camera starts or stops moving.
         VolumeBuffers all, some;
         Table table;
         // Programs in which this volume's uniforms are set.
@@ -60,8 +60,8 @@ private:
         const ShaderProgram *slice = nullptr, *inner = nullptr, *edge = nullptr;
     };
 
-    // Distance of a ray along the slabs' normal: start + depth * per_depth. Each is a linear function of the pixel:
-    // (value at the corner, change per x, change per y).
+    // The coordinate of a ray along the slabs' normal is start + depth * per_depth. Both members are linear functions
+    // of the pixel: (value at the picture's corner, change per pixel in x, change per pixel in y).
     struct RaysAcross {
         glm::dvec3 per_depth, start;
     };
@@ -97,7 +97,7 @@ private:
     VolumeRays rays_;
     VolumeReach reach_;
     VolumeCoverage coverage_;
-    struct Covered { // inputs of the coverage, which is reused if they are equal
+    struct Covered { // inputs of the coverage, which is reused if its inputs are equal
         RayPlaces places;
         int samples = 0;
         std::vector<std::array<float, 4>> clip;
@@ -109,7 +109,7 @@ private:
     GLuint surfaces_ = 0;   // window depths of opaque surfaces, or 0
     std::list<Slot> slots_; // one per volume of the largest frame so far
     VolumeView view_;
-    double slab_angle_ = 0; // result of slab_angle()
+    double slab_angle_ = 0;
 };
 
 } // namespace server::render

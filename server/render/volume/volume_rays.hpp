@@ -12,7 +12,8 @@
 
 namespace server::render {
 
-// A ray part is an interval of a ray inside a mesh. Parts are reused if these inputs are equal.
+// Inputs of the ray parts. If these inputs are equal, the ray parts are reused. A ray part is an interval of a ray
+// inside a mesh.
 struct RayPlaces {
     glm::dmat4 view{1}, projection{1};
     int width = 0, height = 0;
@@ -74,7 +75,7 @@ public:
     void bind(const RaySheets& rays) const;
     // Call after the last find(). Computes begin_of_all() from the limits of all boundaries.
     void finish();
-    // RGBA32F texture. Only A is valid: the window depth at which the volumes begin. 0 before finish().
+    // Returns an RGBA32F texture. Only A is valid: window depth at which the volumes begin. Returns 0 before finish().
     [[nodiscard]] GLuint begin_of_all() const { return begins_; }
 
 private:
@@ -89,7 +90,7 @@ private:
     std::map<int, ShaderProgram> limits_programs_; // key: number of ray parts
     Sheet kept_, nearest_;
     std::list<RaySheets> sheets_;
-    std::size_t in_use_ = 0; // number of sheets_ in use
+    std::size_t in_use_ = 0; // the first in_use_ elements of sheets_ belong to the current frame
     VolumeView view_;
     GLuint query_ = 0, no_array_ = 0, begins_ = 0;
 };

@@ -28,8 +28,9 @@ void main() {
 }
 )";
 
-// The depth is one slab behind the layer, because a fragment behind the layer may draw a piece that begins one slab in
-// front of it. It is 0 if neither the ray nor a neighbor's ray, which compositing reads, meets the layer.
+// Writes a depth one slab behind the layer. A fragment may draw a piece that begins one slab in front of the fragment,
+// and so in front of the layer. Writes 0 if neither the ray nor a ray of a neighbor pixel, which compositing also
+// reads, meets the layer.
 constexpr const char* reach_fragment = R"(
 uniform sampler2D pixels;
 uniform sampler2D depths;

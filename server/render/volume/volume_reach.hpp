@@ -8,7 +8,8 @@
 
 namespace server::render {
 
-// Window depths, and colors with alpha 0 outside the layer. Their size may be any multiple of the volumes' picture.
+// Textures of a transparent layer: window depths, and colors with alpha 0 outside the layer. The size of these textures
+// may be any multiple of the size of the volumes' picture.
 struct LayerInVolumes {
     GLuint depth = 0, color = 0; // 0: no layer
 };
@@ -20,9 +21,9 @@ public:
     VolumeReach(const VolumeReach&) = delete;
     VolumeReach& operator=(const VolumeReach&) = delete;
 
-    // `picture` is the color buffer, and has the size of the view. `slabs`: number of slabs that a ray crosses per unit
-    // of depth (at the picture's corner, change per pixel in x, in y). Leaves the depth test on. Throws Error if the GL
-    // cannot draw to this size.
+    // Fills the depth buffer, and binds it with the color buffer `picture`, which must have the size of the view.
+    // `slabs`: number of slabs that a ray crosses per unit of depth (at the picture's corner, change per pixel in x, in
+    // y). Leaves the depth test on and writing of depth off. Throws Error if the GL cannot draw to this size.
     void begin(const VolumeView& view, const LayerInVolumes& layer, const Sheet& picture, const glm::dvec3& slabs);
 
     // Returns whether a part of the box may be in front of the layer.

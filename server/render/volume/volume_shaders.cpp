@@ -26,7 +26,7 @@ float fragment_depth() {
 
 // Finds an entry and an exit of a ray. In the first part of a ray, an entry behind the exit means that the eye is
 // inside the mesh. The GL rounds the corners of triangles, so the depths of two coincident faces differ, most of all on
-// steep faces. Therefore, if the eye is in the bounds, entries are moved away from it by the largest rounding error.
+// steep faces. Therefore, if the eye is in the bounds, entries are moved farther away by the largest rounding error.
 constexpr const char* part_fragment = R"(
 out vec4 part;
 #ifdef NEXT
@@ -128,9 +128,9 @@ std::string next_parts_seen(int parts) {
 }
 
 // For pictures in which one ray is used for several pixels. At an outline of an opaque surface, some of the rays around
-// a pixel end at the surface and others pass it. The pixel uses the one that ends nearest to its own depth. At an
-// outline, the depth differs from the depth interpolated between the rays by at least 1 % of the depth range; a thinner
-// piece of a volume is not visible.
+// a pixel end at the surface and others pass it. The pixel uses the ray that ends nearest to the pixel's own depth. A
+// pixel is at an outline if its depth differs by at least 1 % of the depth range from the depth interpolated between
+// the rays. A thinner piece of a volume is not visible.
 constexpr const char* seen_between_rays = R"(
 uniform sampler2D opaque;
 const float least_bend = 1e-2;
@@ -156,7 +156,7 @@ vec2 seen_from() {
 
 // Only the covered part of a pixel gets light. A dense mesh is nearly opaque one pixel inward from its outline.
 // Therefore the optical depth is assumed to increase linearly inward, by the difference between the rays of this pixel
-// and the next, or of the next two if the first ray misses the mesh.
+// and the next pixel inward. If the ray of this pixel misses the mesh, the next two pixels are used.
 constexpr const char* picture_fragment = R"(
 uniform sampler2D covered;
 uniform sampler2D limits;

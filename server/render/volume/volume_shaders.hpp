@@ -9,11 +9,12 @@ namespace server::render {
 
 // Largest number of parts of a ray inside the mesh. Behind them, slices are drawn as if the mesh continued.
 inline constexpr int most_ray_parts = 8;
-// Replaces LATER_PARTS by `text`, and declares the samplers part_1, part_2, ... for `parts` parts.
+// Returns the shader text `body` with `text` instead of LATER_PARTS, after the samplers part_1 ... part_{parts - 1}.
 [[nodiscard]] std::string with_parts(std::string body, int parts, const std::string& text);
 
 // Positions along a ray are depths: distances from the eye along the view direction.
-// Writes where a ray enters (R) and leaves (G) the mesh. `first`: writes the first part, else the part behind `before`.
+// The program writes where a ray enters (R) and leaves (G) the mesh. `first`: true for the first part of a ray, false
+// for the part behind the part in the texture `before`.
 [[nodiscard]] ShaderProgram make_part_program(const Gl& gl, bool first);
 // The program writes the depths at which a ray enters (R) and leaves (G) the space between the frame's clip planes.
 [[nodiscard]] ShaderProgram make_kept_program(const Gl& gl);

@@ -49,14 +49,14 @@ std::shared_ptr<Cache::Slot> Cache::drop(std::list<std::string>::iterator key) {
     return dropped;
 }
 
-// The number of holders of a slot or a value cannot grow while mutex_ is held.
+// While mutex_ is locked, no other thread can get a reference to a slot or value that only the cache holds.
 void Cache::drop_unused() {
     std::vector<std::shared_ptr<Slot>> dropped; // destroyed after `lock`
     const std::lock_guard lock(mutex_);
     for (auto key = ages_.begin(); key != ages_.end();) {
         const auto next = std::next(key);
         const std::shared_ptr<Slot>& slot = entries_.at(*key).slot;
-        // A slot whose value could not be made is unused, too.
+        // A slot whose value could not be made (use_count() 0) is unused, too.
         if (key != ages_.begin() && slot.use_count() == 1 && slot->made.value.use_count() <= 1)
             dropped.push_back(drop(key));
         key = next;

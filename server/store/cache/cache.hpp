@@ -47,7 +47,8 @@ private:
     [[nodiscard]] std::shared_ptr<const void> get_erased(const std::string& key, const std::function<Made()>& make);
     [[nodiscard]] std::shared_ptr<Slot> slot(const std::string& key);
     void account(const std::string& key, const Slot& slot);
-    // The caller holds mutex_, and destroys the result without it, because destroying a value may take long.
+    // REQUIRES: mutex_ is locked. The caller destroys the result after the unlock, because destroying a value may take
+    // long.
     [[nodiscard]] std::shared_ptr<Slot> drop(std::list<std::string>::iterator key);
 
     mutable std::mutex mutex_;

@@ -41,7 +41,7 @@ private:
     std::atomic<std::size_t> left_;
 };
 
-// Checks stretches as CheckedFile::load does, on any thread. `file` must have FileAccess::mapped.
+// Like CheckedFile::load, but checks stretches on several threads. REQUIRES: `file` has FileAccess::mapped.
 void load_stretches(const MappedFile& file, CheckedStretches& stretches, std::size_t begin, std::size_t end);
 
 // Thread-safe. A mapped stretch may change after its check when the file is rewritten. A copied stretch does not
@@ -55,8 +55,8 @@ public:
     // load checks the stretches that contain the bytes from `begin` to `end` - 1. load_all checks all stretches.
     // Stretches that are checked already are skipped. Both throw Error that names the file when a stretch cannot be
     // read, does not match its checksum, or contains a forbidden number (StretchChecks::numbers). If a checksum is
-    // wrong and the file at the path was replaced or changed, the mapping is also marked as lost, so that the dataset
-    // is opened again.
+    // wrong and the file at the path was replaced or changed, the mapping is also marked as lost (mapped_file.hpp), so
+    // that the dataset is opened again.
     void load(std::size_t begin, std::size_t end) const {
         if (begin >= end || stretches_->are_all_checked()) return;
         const std::size_t size = stretches_->checks().bytes_each, last = (end - 1) / size;
@@ -74,7 +74,7 @@ private:
     mutable std::array<std::mutex, 16> copying_; // stretch p uses mutex p % 16, so that a stretch is copied only once
 };
 
-// The caller must load the stretches that contain the numbers before it reads the numbers.
+// Values that the caller must load (CheckedFile::load) before it reads them.
 struct ValuesToLoad {
     ciel::ValuesView values; // empty if `file` is null
     std::shared_ptr<const CheckedFile> file;

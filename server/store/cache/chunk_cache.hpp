@@ -21,8 +21,8 @@ public:
 
     ChunkCache(LossCount losses, FileAccess access) : losses_(std::move(losses)), access_(access) {}
     // Returns the mapped `file`, which must have `bytes` bytes. Checks no stretch. Calls `checks` to get the checksums
-    // of the stretches when the file is mapped for the first time or has changed. If the file was unmapped meanwhile,
-    // stretches that were checked are not checked again, except with FileAccess::read. Throws Error when the file was
+    // of the stretches when the file is mapped for the first time or has changed. Stretches stay checked when an
+    // unchanged file is unmapped and mapped again, except with FileAccess::read. Throws Error when the file was
     // truncated or rewritten while it was mapped.
     [[nodiscard]] std::shared_ptr<const CheckedFile> get(const std::filesystem::path& file, std::size_t bytes,
                                                          const std::function<StretchChecks()>& checks);

@@ -123,8 +123,8 @@ void MappedFile::load(std::span<const std::byte> part) const {
     const std::uintptr_t before = address % memory_page;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its memory page
     auto* const begin = reinterpret_cast<void*>(address - before);
-    // After expect_random_reads, the system reads each memory page separately. MADV_WILLNEED makes it read the whole
-    // part.
+    // expect_random_reads has turned off reading ahead, so each access would read one memory page. MADV_WILLNEED
+    // requests all memory pages of `part` together.
     (void)::madvise(begin, part.size() + before, MADV_WILLNEED);
     if (::madvise(begin, part.size() + before, populate_read) == 0) return;
     if (errno == EFAULT || errno == EHWPOISON) refuse();

@@ -27,8 +27,7 @@ struct FileVersion {
     [[nodiscard]] bool operator==(const FileVersion&) const = default;
 };
 
-// Number of mappings that a dataset has lost so far. While it stays the same, callers need not check the files one by
-// one.
+// Number of mappings that a dataset has lost so far. While the number stays the same, callers need not check each file.
 using LossCount = std::shared_ptr<std::atomic<std::uint32_t>>;
 [[nodiscard]] inline LossCount no_losses() { return std::make_shared<std::atomic<std::uint32_t>>(0); }
 
@@ -38,7 +37,7 @@ public:
     MappedFile() = default;
     // Throws Error when `file` is missing, is not a regular file, or does not have `bytes` bytes. If `bytes` is 0,
     // opens no file. `tail`: number of zero bytes that can be read after the end of the file. FileAccess::read: the
-    // memory has zeros until `load` copies parts of the file.
+    // memory has zeros until `load` copies bytes of the file.
     MappedFile(std::filesystem::path file, std::size_t bytes, LossCount losses = no_losses(), std::size_t tail = 0,
                FileAccess access = FileAccess::mapped);
     ~MappedFile();
@@ -57,9 +56,10 @@ public:
     [[nodiscard]] FileVersion version() const; // version of the file when it was opened
     // Advises the system not to read ahead.
     void expect_random_reads() const;
-    // Reads `part`, a part of bytes(), from the disk with one request, not one memory page at a time at the first
-    // access. Throws Error when `part` cannot be read. The mapping is then lost, except after a read error with
-    // FileAccess::read. With FileAccess::read, two threads must not load or use the same part at the same time.
+    // Reads `part`, a range of bytes(), from the disk with one request. Without this call, the first access to each
+    // memory page reads only that page. Throws Error when `part` cannot be read. The mapping is then lost, except after
+    // a read error with FileAccess::read. With FileAccess::read, two threads must not load or use the same part at the
+    // same time.
     void load(std::span<const std::byte> part) const;
     [[nodiscard]] FileAccess access() const { return in_.get() < 0 ? FileAccess::mapped : FileAccess::read; }
 

@@ -32,7 +32,7 @@ bool is_cell_type(std::uint8_t type) {
     return false;
 }
 
-// The loop has no branches. Therefore it takes hardly more time than reading the indices.
+// A loop without branches, which is about as fast as reading the indices.
 ciel::Index highest(std::span<const ciel::Index> ids) {
     ciel::Index result = 0;
     for (const ciel::Index id : ids) result = std::max(result, id);
@@ -137,7 +137,7 @@ void MappedMesh::check_sizes() const {
     if (faces < attributes_.info.boundary_faces) check_boundary_count(faces);
 }
 
-// Arrays on boundary faces have the size that the attributes declare.
+// Arrays on boundary faces are read with the size that the attributes declare, so the declared number must be right.
 void MappedMesh::check_boundary_count(std::uint64_t count) const {
     if (count != attributes_.info.boundary_faces)
         refuse_damage(directory_ / layout::attributes_document,
@@ -229,7 +229,7 @@ void MappedMesh::verify_types() const {
         refuse_damage(array("cell_types").path(), "contains a cell type that does not exist");
 }
 
-// Numbered faces have two parts, each sorted by owner: the boundary faces, then the faces inside the mesh.
+// Numbered faces are in two ranges, each sorted by owner: the boundary faces, then the faces inside the mesh.
 void MappedMesh::check_order() const {
     const auto& owner = array(face_array("owner"));
     const auto neighbour = array(face_array("neighbour")).as<ciel::Index>();
@@ -300,12 +300,14 @@ void MappedMesh::number_faces() const {
         std::vector<std::vector<ciel::Index>> ids(groups_.size());
         for (std::size_t i = 0; i < groups_.size(); ++i)
             if (groups_[i].of == Group::Of::faces) ids[i].assign(groups_[i].ids.begin(), groups_[i].ids.end());
-        // view_points({}) has no positions. Therefore its vertex count is 0, and the limit of face_vertex is set here.
+        // view_points({}) has no positions, so its vertex count is 0. The limit of the ids in face_vertex is set here
+        // instead.
         ciel::FaceMeshView mesh = with_stored_faces(view_points({}));
         mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<ciel::Index>(vertex_count_),
                             keeper("face_vertex")};
         NumberedGroups numbered = number_groups(mesh, ids);
-        // Checks the files again, because they may have changed since the first check, and `numbered` is kept.
+        // Checks the files again, because a file may have changed since the first check, and a wrong `numbered` would
+        // be kept.
         for (const auto& [name, file] : arrays_)
             if (!has_its_checksum(name, file)) file.refuse();
         check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, ciel::none)));
@@ -347,7 +349,7 @@ ciel::FaceMeshView MappedMesh::all_faces(ciel::FaceMeshView points) const {
     return ciel::with_faces(std::move(points), std::move(faces));
 }
 
-// A wrong index in the array `suspected` can also mean that another array has changed.
+// Throws Error that names the changed array. A wrong index in `suspected` can also mean that another array has changed.
 void MappedMesh::refuse_changed(const std::string& suspected) const {
     check_intact(); // throws if another thread has found the changed array already
     if (!has_its_checksum(suspected, array(suspected))) array(suspected).refuse();
@@ -360,7 +362,8 @@ void MappedMesh::check_unchanged() {
     const std::lock_guard lock(checking_);
     for (auto& [name, file] : arrays_) {
         file.check_size();
-        // Called before the checksum is computed, so that the next call detects a write that happens meanwhile.
+        // was_touched is called before the checksum is computed, so that its next call detects a write that happens
+        // meanwhile.
         if (!file.was_touched()) continue;
         const bool is_whole = has_its_checksum(name, file);
         file.check_intact(); // throws if the file was truncated: the zeros in the mapping may match the checksum

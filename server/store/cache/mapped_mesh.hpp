@@ -36,7 +36,8 @@ public:
     // An id of -1 means that the solver gave no id. Empty if the imported file has no solver ids.
     [[nodiscard]] std::span<const std::int64_t> solver_vertex() const { return ids<std::int64_t>("solver_vertex"); }
     [[nodiscard]] std::span<const std::int64_t> solver_cell() const { return ids<std::int64_t>("solver_cell"); }
-    // Return nullopt if the imported file has no solver ids. Only the stretch that contains the id is checked.
+    // Return the id of one vertex or cell; nullopt if the imported file has no solver ids. Check only the stretch
+    // (format/checksum.hpp) that contains the id.
     [[nodiscard]] ciel::Index original_vertex(ciel::Index vertex) const {
         return *id<ciel::Index>("original_vertex", vertex);
     }
@@ -51,8 +52,8 @@ public:
     [[nodiscard]] ciel::FaceMeshView view_points(ciel::ValuesView positions) const;
     [[nodiscard]] ciel::FaceMeshView numbered_faces(ciel::FaceMeshView points) const;
     [[nodiscard]] ciel::FaceMeshView boundary(ciel::FaceMeshView points) const;
-    // Returns `points` with all faces of the mesh. The faces inside the mesh are made from the blocks. In format 1,
-    // they are read from arrays.
+    // Returns `points` with all faces of the mesh. In format 2, the inner faces are made from the blocks. In format 1,
+    // all faces are read from arrays.
     [[nodiscard]] ciel::FaceMeshView all_faces(ciel::FaceMeshView points) const;
     // Returns false for a mesh of an earlier version of CIEL, which stored no blocks.
     [[nodiscard]] bool has_blocks() const { return blocks_ != nullptr; }
@@ -104,7 +105,8 @@ private:
     void check_order() const;
     void verify_groups() const;
     void check_boundary_count(std::uint64_t count) const;
-    // In format 1, the arrays of faces are not in the folder and have all faces.
+    // In format 2, these arrays are in a folder and have the numbered faces. In format 1, they have all faces, without
+    // a folder.
     [[nodiscard]] std::string face_array(const std::string& name) const { return face_folder_ + name; }
     [[nodiscard]] bool has_numbers() const { return !face_folder_.empty(); }
     [[nodiscard]] std::uint64_t stored_faces() const { return array(face_array("owner")).as<ciel::Index>().size(); }

@@ -25,11 +25,12 @@ struct ArrayLayout {
     }
 };
 
-// Throws Error that names the .zarray unless a chunk has items x components values of type float32 or float64.
+// Reads the .zarray of an array. Throws Error that names this file unless a chunk has items x components values of type
+// float32 or float64.
 [[nodiscard]] ArrayLayout read_layout(const std::filesystem::path& directory, std::uint64_t items, int components);
 
-// Returns nullopt if no ranges are stored, if they were written for another chunk, or if `sum`, the checksum of the
-// chunk, is empty. Throws Error when the file is damaged or has other numbers of scalars or blocks.
+// Returns the ranges of a chunk; nullopt if no ranges are stored, if they were written for another chunk, or if `sum`,
+// the checksum of the chunk, is empty. Throws Error when the file is damaged or has other numbers of scalars or blocks.
 [[nodiscard]] std::optional<ValueRanges> read_ranges(const ArrayLayout& array, std::uint64_t chunk,
                                                      const std::string& sum, std::size_t scalars, std::size_t blocks,
                                                      const std::string& dataset_id);
@@ -42,11 +43,11 @@ struct ArrayLayout {
 // Throws Error that names `file` when a stretch of positions contains a number that is not finite.
 void refuse_infinite(std::span<const std::byte> stretch, bool doubles, const std::filesystem::path& file);
 
-// Loads no stretch.
+// Returns the values of the chunk, none of them loaded.
 [[nodiscard]] ValuesToLoad view_of(std::shared_ptr<const CheckedFile> chunk, bool doubles);
 [[nodiscard]] Values loaded(ValuesToLoad to_load); // loads all stretches
 
-// Keeps the file of positions mapped.
+// Loads the positions of the vertices that the kernel requests. Keeps their file mapped.
 class PositionsLoader final : public ciel::VertexLoader {
 public:
     PositionsLoader(ValuesToLoad positions, std::size_t blocks)

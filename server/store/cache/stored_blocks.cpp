@@ -11,7 +11,7 @@
 namespace server::store {
 namespace {
 
-// RecordSource requires 1 MiB of readable bytes after a record: a wrong index in a changed record can lead there.
+// RecordSource requires 1 MiB of readable bytes after a record: a wrong index in a changed record may point to them.
 constexpr std::size_t tail_bytes = std::size_t{1} << 20;
 
 class MappedSource final : public ciel::RecordSource {

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] ciel::Topology topology() const;
     // Returns a copy of a record. Throws Error that names the file when the record cannot be read or is damaged.
     [[nodiscard]] std::vector<std::uint64_t> read(ciel::Index block, ciel::RecordKind kind) const;
-    // Only for FileAccess::mapped. Throws Error as read does.
+    // Returns a view of the mapped record. Only for FileAccess::mapped. Throws Error as read does.
     [[nodiscard]] std::span<const std::byte> mapped(ciel::Index block, ciel::RecordKind kind) const;
     [[nodiscard]] ciel::Index block_count() const { return static_cast<ciel::Index>(index_.places[0].size()); }
     // Throws Error when a file has changed and a record no longer matches its checksum. Calls stat once for each file.

@@ -1,5 +1,5 @@
-// DiskVector: a std::vector whose large buffers are in files without a name. Such memory counts as the system's cache
-// of files: the system may write it to the disk and use it for others.
+// DiskVector: a std::vector whose large buffers are in files without a name. The system treats such memory as its file
+// cache: it may write the memory to the disk and use it for other programs.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace server::store {
 // Smaller buffers are in ordinary memory.
 inline constexpr std::size_t least_bytes_on_disk = std::size_t{4} << 20;
 
-// Maps a new file in `folder`. Returns ordinary memory without a folder, if the folder has no room or cannot be written
-// to, and if it is on another machine or in memory (local_files.hpp). Throws std::bad_alloc.
+// Maps a new file in `folder`. Returns ordinary memory instead if `folder` is empty, has no room, cannot be written to,
+// is on another machine or is in memory (local_files.hpp). Throws std::bad_alloc when there is no memory.
 [[nodiscard]] void* map_on_disk(std::size_t bytes, const std::filesystem::path& folder);
 void unmap_from_disk(void* memory, std::size_t bytes) noexcept;
 

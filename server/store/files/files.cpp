@@ -177,8 +177,8 @@ void append_after(const std::filesystem::path& file, std::uint64_t size, std::sp
 
 NewFile::NewFile(const std::filesystem::path& file) : path_(file), out_(create(file)) {}
 
-// Memory pages that are not on the disk yet count in the memory of the process's control group, and cannot be
-// reclaimed. So at most two stretches of each file are on their way. The flush at the end reports failures.
+// Written memory pages that are not on the disk yet count toward the memory limit of the control group. Therefore at
+// most two stretches of each file wait for the disk. The later flush (sync_filesystem) reports errors.
 void NewFile::append(std::span<const std::byte> bytes) {
     constexpr std::uint64_t stretch = 32 << 20;
     write_all(out_, path_, bytes);
@@ -197,7 +197,8 @@ void replace_file(const std::filesystem::path& file, std::span<const std::byte> 
     const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
         const Descriptor out = create(beside);
-        // remove_left_beside skips locked files. It cannot use process ids, because each container has its own.
+        // The lock tells remove_left_beside that the writer still runs. A process id cannot tell it: each container has
+        // its own ids.
         (void)::flock(out.get(), LOCK_EX | LOCK_NB);
         write_all(out, beside, bytes);
         if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");

@@ -34,7 +34,7 @@ private:
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& sentence); // throws FileError
 // Appends to `sentence` that the dataset is damaged and that the user must restore the file or import the data again.
 [[noreturn]] void refuse_damage(const std::filesystem::path& file, const std::string& sentence);
-// `has`: "changed" or "shrunk" while the file was open. Appends how to change files of a dataset.
+// `has`: what happened to the open file: "changed" or "shrunk". Appends how to change files of a dataset.
 [[noreturn]] void refuse_open_file(const std::filesystem::path& file, const char* has);
 // Appends the system's message for errno to `what_failed`.
 [[noreturn]] void refuse_errno(const std::filesystem::path& file, const std::string& what_failed);
@@ -47,7 +47,8 @@ void write_file(const std::filesystem::path& file, std::span<const std::byte> by
 // Writes a temporary file FILE.new-PID, flushes the temporary file to the disk, and renames it to `file`. Readers see
 // either the old or the new content. A mapping of the old file stays valid.
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes);
-// Removes temporary files of killed replace_file calls, also in subdirectories. Files of running calls are locked.
+// Removes temporary files of killed replace_file calls, also in subdirectories. Files of running calls are locked and
+// stay.
 void remove_left_beside(const std::filesystem::path& directory);
 
 void make_directory(const std::filesystem::path& directory); // also makes missing parent directories
@@ -86,7 +87,7 @@ private:
     std::filesystem::path path_;
     Descriptor out_;
     std::uint64_t size_ = 0;
-    std::uint64_t sent_ = 0; // bytes whose way to the disk has begun
+    std::uint64_t sent_ = 0; // number of bytes that the system was told to write to the disk
 };
 
 // Thread-safe. Reads the file that was opened, even if the path is later renamed, deleted or given to another file.

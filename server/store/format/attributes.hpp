@@ -23,9 +23,9 @@ struct MeshAttributes {
     ciel::Vec3d origin{};
     MeshInfo info;
     std::vector<GroupName> groups;
-    // By name of the topology array. The name of a group is "groups/<index>".
+    // Checksum by name of the topology array. The name of a group is "groups/<index>".
     std::map<std::string, std::string> checksums;
-    // One checksum for each coordinate set, by index. The list ends before the sets that were added with plain Zarr.
+    // One checksum for each coordinate set, by index. Sets that were added last with plain Zarr have no entry.
     std::vector<std::string> coordinate_checksums;
 };
 [[nodiscard]] MeshAttributes parse_mesh_attributes(std::string_view text, const std::filesystem::path& file);

@@ -41,7 +41,7 @@ struct BlockIndex {
 
 [[nodiscard]] std::vector<std::byte> to_bytes(const BlockIndex& index, const std::string& dataset_id);
 // Throws Error that names `file` when the bytes are damaged or contradictory, or are of a newer format or of another
-// dataset. Does not check the content of the tables. The kernel checks it.
+// dataset. Does not check the content of the tables, because the kernel does.
 [[nodiscard]] BlockIndex parse_block_index(std::span<const std::byte> bytes, const std::string& dataset_id,
                                            const std::filesystem::path& file);
 

@@ -1,5 +1,6 @@
-// Binary files of a dataset that are read as a whole. Such a file consists of the head (file_head.hpp), arrays at
-// offsets that are stored in the file, and the XXH3-64 checksum of all bytes before the checksum.
+// Writes and reads those binary files of a dataset that are read as a whole. Such a file consists of the head
+// (file_head.hpp), arrays at offsets that are stored in the file, and the XXH3-64 checksum of all bytes before the
+// checksum.
 #pragma once
 
 #include "store/files/files.hpp"

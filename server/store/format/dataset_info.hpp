@@ -11,7 +11,7 @@
 
 namespace server::store {
 
-// The items that have values. Values on boundary faces are in the order of the faces' ids.
+// The items of the mesh that have the values of an array. Values on boundary faces are in the order of the faces' ids.
 enum class Association { point, cell, boundary_face };
 
 // Source of an array's values. original: the imported file. interpolated: values on cells. derived: computed by the
@@ -62,8 +62,9 @@ struct ArrayStep { // what is known about an array at one step
     std::vector<std::array<double, 2>> component_ranges; // [min, max] of the finite values, by component
     std::uint64_t invalid = 0; // number of NaN and infinite values that are not missing values
     std::uint64_t missing = 0; // number of missing values (no_value.hpp)
-    // Only for an array on cells: the cells at the ends of `range`, then those of each component if there are several.
-    // Empty if the cells are not known, or if one of the ranges has no finite value.
+    // Only for an array on cells: the cells with the ends of `range`. If there are several components, then the cells
+    // with the ends of each component's range. Empty if the cells are not known, or if one of the ranges has no finite
+    // value.
     std::vector<CellExtremes> extremes;
     bool late = false;         // true: the values have not been read from the source yet (store/README.md)
     bool has_checksum = false; // false if the chunk was written with plain Zarr and cannot be verified
@@ -85,7 +86,7 @@ struct Group { // a named set of faces (a patch, or a baffle inside the mesh) or
     enum class Of { faces, cells };
     Of of = Of::faces;
     std::string name;
-    ciel::Ids ids; // face numbers (numbered faces) or cell ids, ascending; the dataset owns the memory
+    ciel::Ids ids; // numbers of numbered faces (mesh_arrays.hpp) or cell ids, ascending; the dataset owns the memory
     PatchFacts facts = {};
 };
 
@@ -96,15 +97,18 @@ struct MeshInfo {
     bool double_positions = false;                      // true: positions are stored as float64; false: as float32
 };
 
-// The input of an import that wrote only some of the steps. Without inputs, no array is late.
+// The input of an import that wrote only some of the steps. Late arrays (late_files.hpp) are read from this input. If
+// `inputs` is empty, no array is late.
 struct LateSource {
     std::vector<std::string> inputs;                         // absolute paths
     std::map<std::string, std::vector<std::string>> options; // of the import, by the name of the option
     std::int64_t changed = 0; // time of the inputs' last change when they were imported, in ns since 1970 (UTC)
-    // By step: checksum of the names, sizes and times of the step's files; empty if its arrays are not late. If all are
-    // empty, the format does not tell the files of a step, and `changed` counts.
+    // By step: checksum of the names, sizes and times of the step's files; empty if its arrays are not late. If all
+    // entries are empty, the files of a step are not known, and the source must not have changed since `changed`.
     std::vector<std::string> files{};
-    std::string mesh{}; // text by which an import knows the mesh again; empty if it has to match the mesh again
+    // Text by which an import recognizes the mesh of a step; empty: the import must match the mesh with the stored
+    // mesh.
+    std::string mesh{};
 };
 
 struct DatasetInfo {

@@ -28,7 +28,7 @@ void Histogram::add(ciel::ValuesView values) {
     });
 }
 
-// The counts are those of a histogram made with `bins` bins, because scaling by a power of two is exact.
+// The sums equal the counts of a histogram made with `bins` bins, because scaling by a power of two is exact.
 std::optional<Histogram> Histogram::with_bins(std::size_t bins) const {
     if (bins == 0 || counts.size() % bins != 0 || !std::has_single_bit(counts.size() / bins)) return std::nullopt;
     Histogram fewer = *this;

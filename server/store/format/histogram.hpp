@@ -19,13 +19,13 @@ struct Histogram {
 
     // If both ends are equal, values equal to them are in the first bin.
     std::array<double, 2> range{};
-    std::vector<std::uint64_t> counts;  // number of values in each bin
+    std::vector<std::uint64_t> counts;
     std::uint64_t below = 0, above = 0; // finite values outside the range
     std::uint64_t invalid = 0;          // NaN and infinite values
 
     void add(ciel::ValuesView values);
 
-    // Returns nullopt unless the number of bins of this histogram is `bins` times a power of two.
+    // Returns this histogram with only `bins` bins; nullopt unless it has `bins` times a power of two bins.
     [[nodiscard]] std::optional<Histogram> with_bins(std::size_t bins) const;
     // Returns the value below which `share` (0 to 1) of the finite values lie. Assumes that the values of a bin are
     // spread evenly over the bin. Returns the lower end of the range if there are no finite values.
@@ -43,7 +43,7 @@ private:
     double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-// The range is [min, max] of the finite values.
+// Returns the histogram over the range [min, max] of the finite values.
 [[nodiscard]] Histogram histogram_of(ciel::ValuesView values, std::size_t bins);
 
 } // namespace server::store

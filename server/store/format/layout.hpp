@@ -32,9 +32,9 @@ inline constexpr std::size_t index_bytes = std::size_t{1} << 32;
 // 3, the file name is "<first>.0.0".
 [[nodiscard]] std::filesystem::path chunk(const std::filesystem::path& array, std::uint64_t first, std::size_t rank);
 
-// The facts of a chunk that was written after its step (late_files.hpp).
+// Path of the checksum and the ranges of a late chunk (late_files.hpp), which are not in the marker.
 [[nodiscard]] std::filesystem::path late_facts(const std::filesystem::path& array, std::uint64_t chunk);
-inline constexpr const char* late_changes = "late"; // replaced whenever late arrays have been written
+inline constexpr const char* late_changes = "late"; // name of a file that every writer of late arrays replaces
 
 [[nodiscard]] std::filesystem::path value_ranges(const std::filesystem::path& array, std::uint64_t chunk);
 

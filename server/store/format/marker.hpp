@@ -48,8 +48,8 @@ struct Marker {
 [[nodiscard]] Marker parse_marker(std::string_view text, const std::filesystem::path& file);
 [[nodiscard]] std::string to_text(const Marker& marker);
 
-// The file of facts beside a late chunk: what the marker says of other arrays. nullopt: the source has no such array at
-// this step. parse_late_facts throws Error that names `file` when the text is damaged.
+// Read and write the file of facts beside a late chunk. It has the data that the marker has for other arrays. nullopt:
+// the source has no such array at this step. parse_late_facts throws Error that names `file` when the text is damaged.
 [[nodiscard]] std::optional<MarkedArray> parse_late_facts(std::string_view text, const std::filesystem::path& file,
                                                           std::uint64_t chunk);
 [[nodiscard]] std::string late_facts_text(const std::optional<MarkedArray>& array);

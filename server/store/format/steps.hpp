@@ -15,8 +15,9 @@ namespace server::store {
 // exists. Functions that return a step throw Error when the step is damaged.
 class Steps {
 public:
-    // `read`: reads and returns a step. Several threads may call it at the same time. `before`: null, or the steps of
-    // the same dataset earlier. Steps that `before` has already read are not read again, unless arrays were late.
+    // `read`: reads and returns a step. Several threads may call it at the same time. `before`: the steps before a
+    // refresh of the dataset, or null. Steps that `before` has already read are not read again, unless they have late
+    // arrays.
     Steps(std::vector<double> times, std::function<Step(std::size_t)> read, const Steps* before);
 
     [[nodiscard]] std::size_t size() const { return times_.size(); }
@@ -24,7 +25,7 @@ public:
     [[nodiscard]] std::span<const double> times() const { return times_; } // reads no step
     [[nodiscard]] const Step& operator[](std::size_t step) const;
     [[nodiscard]] const Step& at(std::size_t step) const; // throws Error if there is no such step
-    // Returns the steps that have been read and had late arrays then.
+    // Returns the indices of the steps that had late arrays when they were read.
     [[nodiscard]] std::vector<std::size_t> known_with_late_arrays() const;
     [[nodiscard]] const Step& front() const { return (*this)[0]; }
     [[nodiscard]] const Step& back() const { return (*this)[size() - 1]; }

@@ -18,7 +18,7 @@ struct Primitives {
     std::span<const ciel::Vec3f> positions, normals;
     ciel::ValuesView scalars; // one per vertex; empty if there are `values`
     ciel::ValuesView values;  // one per triangle, line or point; empty if there are `scalars`
-    // The error is at most half a step. 0: scalars or values are sent as floats.
+    // Step to which scalars or values are rounded; the error is at most half a step. 0: they are sent as floats.
     double value_step = 0;
     std::span<const ciel::Index> indices; // 3 per triangle, 2 per line, 1 per point
     bool lines = false, points = false;

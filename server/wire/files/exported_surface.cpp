@@ -11,7 +11,7 @@
 namespace server::wire {
 namespace {
 
-constexpr double most_diagonals_away = 8; // farther away, floats differ by more than a millionth of the diagonal
+constexpr double most_diagonals_away = 8; // farther from zero, floats are spaced by over 1e-6 of the diagonal
 
 // Newell's normal is exactly zero for repeated points, and negligible for collinear points.
 bool has_area(const ciel::Surface& surface, std::span<const ciel::Index> polygon) {

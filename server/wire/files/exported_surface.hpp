@@ -55,7 +55,8 @@ struct ExportedCounts {
 // Returns "X Y Z" with 17 significant digits per number.
 [[nodiscard]] std::string origin_text(ciel::Vec3d origin);
 
-// Polygons without an area are left out. They arise where a mesh vertex has exactly the iso-value.
+// The polygons to write. Polygons without an area are left out. They arise where a mesh vertex has exactly the
+// iso-value.
 struct ExportedPolygons {
     std::vector<ciel::Index> vertices;  // indices of the used surface vertices
     std::vector<ciel::Index> offset{0}; // start of each polygon in `corner`, and the end of the last polygon

@@ -100,7 +100,7 @@ JpegBand::Span JpegBand::changed(std::span<const std::uint8_t> rgb) {
     const std::size_t stride = 3 * static_cast<std::size_t>(width_);
     const std::size_t piece = 3 * static_cast<std::size_t>(piece_width_);
     const auto first = rgb.subspan(static_cast<std::size_t>(top_) * stride, last_.size());
-    std::size_t begin = stride, end = 0; // changed part of the rows, in bytes
+    std::size_t begin = stride, end = 0; // changed byte range of the rows
     for (std::size_t row = 0; row < first.size(); row += stride) {
         const std::uint8_t *now = first.data() + row, *then = last_.data() + row;
         for (std::size_t at = 0; at < stride; at += piece) {

@@ -25,7 +25,8 @@ public:
     void encode(std::span<const std::uint8_t> rgb);
     // Returns the file header from SOI to SOS, valid after encode; empty except in the band at row 0.
     [[nodiscard]] std::span<const std::uint8_t> header() const { return header_; }
-    // A restart marker follows each piece. `number`: index of the first piece. Returns the index after the last piece.
+    // Appends the pieces, each followed by a restart marker. `number`: index of the first piece in the picture. Returns
+    // the index after the last piece.
     std::size_t append(std::size_t number, std::vector<std::uint8_t>& out) const;
 
 private:

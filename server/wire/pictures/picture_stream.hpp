@@ -10,7 +10,7 @@ namespace server::wire {
 
 enum class MovingCodec { png, jpeg };
 
-// Not thread-safe; each call uses the thread pool. Unchanged parts keep their encoded bytes.
+// Not thread-safe; each call uses the thread pool. Parts of the picture that have not changed keep their encoded bytes.
 class PictureStream {
 public:
     PictureStream() = default;

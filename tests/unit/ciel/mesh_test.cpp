@@ -347,6 +347,11 @@ TEST(Mesh, RefusesWhatDoesNotFitInWords) {
                     (void)Mesh::from_faces({box.points, 3}, one, triangle, far, {});
                 }),
                 HasSubstr("owner of face 0 is 4000000000"));
+    const std::vector<std::int64_t> farthest{INT64_MAX};
+    EXPECT_THAT(sentence([&] {
+                    (void)Mesh::from_faces({box.points, 3}, one, triangle, farthest, {});
+                }),
+                HasSubstr("owner of face 0 is 9223372036854775807"));
     EXPECT_THAT(sentence([&] { (void)contour(mesh, std::vector<float>(3), 1); }), HasSubstr("one number per point"));
     EXPECT_THAT(sentence([&] { (void)slice(mesh, {}, {0, 0, 0}); }), HasSubstr("not zero"));
     EXPECT_THAT(sentence([&] { (void)mesh.moved({box.offsets, 3}); }), HasSubstr("moved points"));

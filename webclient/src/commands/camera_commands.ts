@@ -42,7 +42,7 @@ export class CameraCommands {
     return cameraOf(this.deps.model);
   }
 
-  /** Returns the camera to move on from. A turn that waits is made before. */
+  /** Makes a waiting turn, and then returns the camera from which a move starts. */
   toMove(): FullCamera | null {
     this.deps.server.editor.makeHeld();
     return this.get();
@@ -76,7 +76,7 @@ export class CameraCommands {
     this.change((camera) => pan(camera, dx, dy, this.deps.server.size.css), gesture);
   }
 
-  /** Orbits like a drag by (dx, dy) CSS pixels. `anew`: looks for a new pivot in the middle of the canvas. */
+  /** Orbits like a drag by (dx, dy) CSS pixels. `anew`: first seeks a new center at the middle of the canvas. */
   turnBy(dx: number, dy: number, gesture: string, anew: boolean): void {
     const { css } = this.deps.server.size;
     if (anew && this.get() !== null) this.turnsAbout(css.width / 2, css.height / 2);
@@ -90,7 +90,7 @@ export class CameraCommands {
     if (!view.pivot.isSought) server.editor.makeHeld();
   }
 
-  /** Orbits by (dx, dy) CSS pixels, as soon as the center of the orbit is known, or something else is changed. */
+  /** Orbits by (dx, dy) CSS pixels when the center of the orbit is known, at the latest before another change. */
   turn(dx: number, dy: number, gesture: string): void {
     const dataset = this.dataset();
     const before = this.waiting.dataset === dataset ? this.waiting : NO_TURN;

@@ -40,7 +40,10 @@ export class ColorCommands {
     else this.set(of, { range: undefined, ...coloredBy(scene.peek(), description.peek(), array) });
   }
 
-  /** Returns null if the array has no values at the shown time, the call fails, or another dataset is chosen meanwhile. */
+  /**
+   * Returns the range between the percentiles of USUAL_SHARES at the shown time. Returns null if there are no values,
+   * the call fails, or another dataset is chosen meanwhile.
+   */
   async usualRange(array: string): Promise<Range | null> {
     const { model, server } = this.deps;
     const description = model.description.peek();
@@ -61,8 +64,8 @@ export class ColorCommands {
   }
 
   /**
-   * If no values are in view or the call fails, tells the user and returns null. Returns null if another dataset is
-   * chosen meanwhile.
+   * Returns the range of the values in view. If there are none or the call fails, tells the user and returns null. Also
+   * returns null if another dataset is chosen meanwhile.
    */
   async rangeInView(colored: Colored): Promise<Range | null> {
     const { model, server } = this.deps;

@@ -36,7 +36,7 @@ export class LayerCommands {
     return id;
   }
 
-  /** Returns the value of a new iso-surface. Until the histogram has arrived, uses the range over all times. */
+  /** Returns the middle of the array's range at the shown time, or over all times until the histogram has arrived. */
   middleOf(array: string): number {
     const { model, server } = this.deps;
     const description = model.description.peek();

@@ -1,5 +1,4 @@
-// Settings stored in the browser: the theme and the stream permanently, the session with its undo steps until the tab is
-// closed.
+// Settings stored in the browser: theme and stream permanently, the session and its undo steps until the tab is closed.
 import { decodeSession, encodeSession } from "../model/link";
 import type { StreamChoice, Theme } from "../model/state";
 

@@ -1,4 +1,5 @@
-// Changes of the scene that the shown picture does not contain yet, as lines and texts in CSS pixels over the picture.
+// Lines and texts that the page draws over the picture for changes of the scene that the picture does not contain yet.
+// Lines are in CSS pixels of the canvas.
 import { boundsCentre, complete, corners, project, type Bounds, type FullCamera, type Size } from "./camera";
 import { add, cross, dot, normalize, scale, subtract } from "./vector";
 import type { ClipLayer, Layer, Scene, SliceLayer, Vec3 } from "../generated/protocol";
@@ -60,7 +61,7 @@ const isPlane = (layer: Layer): layer is SliceLayer | ClipLayer => layer.type ==
 const placeOf = ({ axis, value, origin, normal }: SliceLayer | ClipLayer): string =>
   JSON.stringify([axis, value, origin, normal]);
 
-/** Returns what to draw for the changes from `shown`, the scene of the shown picture, to `wanted`, the newest scene. */
+/** Returns lines and texts for the changes from `shown` (scene of the shown picture) to `wanted` (newest scene). */
 export function ahead(shown: Scene, wanted: Scene, camera: FullCamera, bounds: Bounds, size: Size): Ahead {
   const segments: Segment[] = [];
   const words: string[] = [];

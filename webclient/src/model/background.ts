@@ -9,5 +9,5 @@ export function backgroundColors(background: string | undefined): BackgroundColo
   return { top: rgb, bottom: rgb };
 }
 
-/** Returns true if text on the background is dark. */
+/** Returns true if the background is so bright that text on it must be dark. */
 export const isBright = (background: string | undefined): boolean => isBrightBackground(backgroundColors(background));

@@ -50,7 +50,10 @@ export function viewHeight(camera: FullCamera): number {
   return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
 }
 
-/** A drag as long as the shorter side of the canvas is half a turn. The pivot keeps its place in the picture. */
+/**
+ * Rotates the camera about `pivot` for a drag of (dx, dy) pixels. A drag as long as the shorter side of the canvas is
+ * half a turn. The pivot keeps its pixel.
+ */
 export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
   const { right, up } = frame(camera);
@@ -84,10 +87,10 @@ export function zoom(camera: FullCamera, factor: number, x: number, y: number, s
   return pan(closer, offsetX, offsetY, size);
 }
 
-/** Zoom limits of the distance (in a parallel view: of the view height), as multiples of the bounds' diagonal. */
+/** Limits of the distance to the target (parallel view: of the view height), as multiples of the bounds' diagonal. */
 export const REACH: readonly [number, number] = [1e-6, 1e4];
 
-/** Clamps a zoom factor to REACH. A camera outside REACH can only be zoomed back towards REACH. */
+/** Returns `factor`, clamped so that the camera stays in REACH. A camera outside REACH can only move towards REACH. */
 export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
   const away = camera.parallel ? camera.parallel_height : distance(camera);
   const [nearest, furthest] = REACH.map((reach) => (reach * (2 * boundsRadius(bounds) || 1)) / away) as [
@@ -118,7 +121,7 @@ export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
   return { ...camera, fov, position: add(camera.target, arm) };
 }
 
-/** In a perspective view, this changes the distance from the target. */
+/** `height`: see viewHeight(). A perspective camera changes its distance from the target, not its field of view. */
 export function withViewHeight(camera: FullCamera, height: number): FullCamera {
   if (camera.parallel) return { ...camera, parallel_height: height };
   const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
@@ -172,14 +175,17 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
   return fit(bounds, forward, axis === 2 ? [0, 1, 0] : [0, 0, 1], aspect, fov, parallel);
 }
 
-/** Shows the whole box, from larger x, smaller y and larger z. The server moves this camera clear of annotations. */
+/**
+ * Returns a view of the whole box from the side of larger x, smaller y and larger z. The server's default view has the
+ * same direction, and also leaves room for annotations.
+ */
 export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
   return complete({ ...defaultCamera(bounds, aspect, fov), parallel });
 }
 
 const EDGE_SAMPLES = 24;
 const BACK = 1.03;
-/** Largest factor that clearOf() tries. If it is not enough, the camera stays, and legends cover a part of the box. */
+/** Largest zoom factor of clearOf(). If a larger factor is needed, clearOf() returns the camera unchanged. */
 const FURTHEST = 1.6;
 
 function edgePoints(bounds: Bounds): Vec3[] {
@@ -191,7 +197,10 @@ function edgePoints(bounds: Bounds): Vec3[] {
   );
 }
 
-/** Moves the camera back until no box edge lies in a `taken` rectangle at the top right corner of the canvas. */
+/**
+ * Returns the camera, moved back until no edge of the box lies behind a legend. `taken`: sizes of rectangles at the top
+ * right corner of the canvas.
+ */
 export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
   const points = edgePoints(bounds);
   const covered = (view: FullCamera): boolean =>
@@ -208,7 +217,10 @@ export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken
   return view;
 }
 
-/** `depth` is along the view direction. Returns null for a point that is not in front of a perspective camera. */
+/**
+ * Returns the pixel of a point, and its distance from the camera along the view direction. Returns null for a point
+ * that is not in front of a perspective camera.
+ */
 export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
   const { right, up, forward } = frame(camera);
   const arm = subtract(point, camera.position);

@@ -15,17 +15,17 @@ const USUAL_TEXT = 12;
 export const SMALLEST_TEXT = 9;
 const USUAL_HEIGHT = 560;
 
-/** Returns the text size. It is smaller on a small canvas, because text of the usual size would fill the canvas. */
+/** Returns the text size. A small canvas has smaller text, because text of the usual size would fill the canvas. */
 export function textPixels({ width, height }: Size): number {
   return clamp((USUAL_TEXT * Math.min(height, 0.75 * width)) / USUAL_HEIGHT, SMALLEST_TEXT, USUAL_TEXT);
 }
 
 export class CanvasSize {
-  /** For each legend, the size from the canvas's top right to the legend's lower left corner, in CSS pixels. */
+  /** One rectangle per legend, from the canvas's top right to the legend's lower left corner, in CSS pixels. */
   corner: Size[] = [LEGEND];
   private ratio = 1;
 
-  /** `size`: the model's size of the canvas, in CSS pixels. Only this class writes it. */
+  /** `size`: the signal canvasSize of the model. Only this class writes the signal. */
   constructor(private readonly size: Signal<Size>) {}
 
   set(width: number, height: number, ratio: number): void {

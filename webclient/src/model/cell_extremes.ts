@@ -1,4 +1,5 @@
-// Texts about the cells with the lowest and highest value. Values interpolated to points do not reach these values.
+// Texts about the cells with the lowest and highest value of a cell array. A point array that is interpolated from the
+// cell array does not reach these values.
 import type { CellExtreme, CellExtremes } from "../generated/protocol";
 import { formatNumber } from "./numbers";
 

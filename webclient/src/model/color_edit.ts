@@ -1,4 +1,5 @@
-// Edits of a coloring. Each function returns the changed members. Members incompatible with a new one are removed.
+// Edits of a coloring. The functions with... return the changed members of the coloring, and remove the members that
+// are incompatible with the change.
 import { colorRow, hexOf, rangeAboveZero, type ColorScale } from "./color_scale";
 import { LIMITS, type Coloring, type ColorPoint, type Range } from "../generated/protocol";
 import { withEnd } from "./numbers";
@@ -10,8 +11,9 @@ export const [, MOST_POINTS] = LIMITS.Coloring.points;
 const FIRST_POINTS = 5;
 
 /**
- * Switching off restores `symmetric` and `range` of `before`, the coloring before switching on, unless the array has
- * changed. A range that the user has changed since then is kept.
+ * Switches a logarithmic scale on or off. `before`: the coloring before the scale was switched on. Switching off
+ * restores `symmetric` and `range` of `before`. A range that the user has changed in between is kept. If the array has
+ * changed, nothing is restored.
  */
 export function withLog({ array, range }: Coloring, on: boolean, before?: Coloring): ColoringChange {
   if (!on) {
@@ -46,7 +48,10 @@ export function withDataRange(coloring: Coloring, values: Range): ColoringChange
   return withRange(coloring, ...(isOneSided ? rangeAboveZero(values) : values));
 }
 
-/** If `to` is beyond the other end, both ends become `to`. A symmetric scale gets the range from -|to| to |to|. */
+/**
+ * Moves one end of the range `shown` to `to`. If `to` is beyond the other end, both ends become `to`. A symmetric scale
+ * gets the range from -|to| to |to|.
+ */
 export function withRangeEnd(coloring: Coloring, shown: Range, end: 0 | 1, to: number): ColoringChange | string {
   const range = coloring.symmetric === true ? ([to, to] as const) : withEnd(shown, end, to);
   return withRange(coloring, ...range);
@@ -66,7 +71,7 @@ export function movedPoint(points: readonly ColorPoint[], index: number, at: num
   return points.map((point, i) => (i === index ? { ...point, at: Math.min(high, Math.max(low, at)) } : point));
 }
 
-/** Adds a color point in the middle of the widest gap between two points. It has the current color at this position. */
+/** Adds a point in the middle of the widest gap between two points. `colorAt`: the scale's color at a position. */
 export function addedPoint(points: readonly ColorPoint[], colorAt: (place: number) => string): ColorPoint[] {
   let best = 0;
   const gap = (i: number): number => (points[i + 1]?.at ?? 0) - (points[i]?.at ?? 0);

@@ -6,7 +6,7 @@ export const DEFAULT_MAP = DEFAULTS.Coloring.map;
 
 export const colorMapNames = (): string[] => colorMaps().map(({ name }) => name);
 
-/** Returns `name`, or the default map if the page does not have this map. A newer server may have it. */
+/** Returns `name`, or the default map if the page does not know the name. Only a newer server has such a map. */
 export const knownMap = (name: string): string => (colorMaps().some((map) => map.name === name) ? name : DEFAULT_MAP);
 
 export const colorMapKinds = (): { kind: string; names: string[] }[] =>

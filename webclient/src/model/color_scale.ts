@@ -1,4 +1,5 @@
-// Maps scalars to colors by the rules of protocol/colors.md, which are in server/color/color_scale.hpp.
+// Maps scalars to colors by the rules of protocol/colors.md. The WebAssembly module contains the server's code for this
+// (server/color/color_scale.hpp).
 import { DEFAULTS, type Coloring, type ColorPoint, type Range } from "../generated/protocol";
 import * as wasm from "../wasm/color_scale";
 import { rangeOf } from "../wasm/scale_range";
@@ -42,7 +43,7 @@ export const hexOf = (color: readonly number[]): string =>
 
 const bytesIfAny = (hex: string | null): Rgb8 | null => (hex === null ? null : bytesOf(hex));
 
-/** Replaces a map that the page does not have, because the module has only the page's own color maps. */
+/** Converts colors to bytes. Replaces a map that the page does not know by the default map. */
 export const inBytes = ({ map, points, nan, below, above, ...rest }: ColorScale): wasm.ScaleInBytes => ({
   ...rest,
   map: knownMap(map),
@@ -52,7 +53,10 @@ export const inBytes = ({ map, points, nan, below, above, ...rest }: ColorScale)
   above: bytesIfAny(above),
 });
 
-/** From the lower to the upper end of the scale. On a scale with steps, each color is the color of its step. */
+/**
+ * Returns the colors at `count` evenly spaced positions from the lower to the upper end of the scale. On a scale with
+ * steps, each color is the color of the step at this position.
+ */
 export const colorsAlong = (scale: ColorScale, count: number): Rgb8[] => wasm.colorsAlong(inBytes(scale), count);
 
 /** Returns one color for each step. For a scale without steps, returns `smoothCount` colors for interpolation. */

@@ -9,13 +9,13 @@ export type ContoursChange = {
   [K in keyof Contours]?: K extends "coloring" ? object | null : Contours[K] | null;
 };
 
-/** Returns the values that the server uses if none are listed: evenly spaced inside the range, without its ends. */
+/** Returns the values that the server uses if the scene lists none: evenly spaced, without the ends of the range. */
 export function evenValues({ count = DEFAULTS.Contours.count, range }: Contours, data: Range): number[] {
   const [low, high] = range ?? data;
   return Array.from({ length: count }, (_, i) => Number((low + ((high - low) * (i + 1)) / (count + 1)).toPrecision(6)));
 }
 
-/** Returns a map that differs from the slice's map, so that the contour lines are visible on the slice. */
+/** Returns a map for contour lines that differs from the slice's map, so that the lines are visible on the slice. */
 export const mapBeside = (slice: Coloring | undefined): string =>
   slice?.array !== undefined && (slice.map ?? DEFAULT_MAP) === DEFAULT_MAP ? "inferno" : DEFAULT_MAP;
 

@@ -1,5 +1,5 @@
-// Exports again, for panels, the server's functions that lay out annotations and write numbers as text. Panels may
-// import only model and commands.
+// Re-exports functions of wasm/ that lay out annotations and format numbers. Panels use them from here, because panels/
+// may not import wasm/ (folder_order.js).
 export { labelOn } from "../wasm/color_labels";
 export { legendTitle } from "../wasm/legend_names";
 export { numberAlone, prettyUnits } from "../wasm/numbers_as_text";

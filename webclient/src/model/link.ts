@@ -1,4 +1,5 @@
-// Fragments of the page's address: "#s=" and a scene (deflated JSON in base64url), or "#j=" and a session id.
+// Fragments of the page's address, which links contain: "#s=" and a scene (deflated JSON in base64url), or "#j=" and a
+// session id.
 import type { Scene } from "../generated/protocol";
 
 const KEY = "s=";
@@ -28,7 +29,7 @@ export async function encodeScene(scene: Scene): Promise<string> {
   return `#${KEY}${toBase64Url(await through(json, new CompressionStream("deflate-raw")))}`;
 }
 
-/** Returns null if the fragment contains no scene. Throws Error if the scene's text is damaged. */
+/** Returns the scene in the fragment; null if there is none. Throws Error if the scene's text is damaged. */
 export async function decodeScene(fragment: string): Promise<Scene | null> {
   const start = fragment.replace(/^#/, "");
   if (!start.startsWith(KEY)) return null;

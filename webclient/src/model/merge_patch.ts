@@ -15,7 +15,10 @@ export function applyPatch(document: Json | undefined, patch: Json): Json {
   return Object.fromEntries([...kept, ...set.map(([key, value]) => [key, applyPatch(before[key], value)] as const)]);
 }
 
-/** Returns null if no patch has the effect of both, because RFC 7396 merges objects instead of replacing them. */
+/**
+ * Returns one patch with the effect of `first` and then `second`; null if there is none. RFC 7396 merges objects. So
+ * there is none if `second` sets an object where `first` removes a member or sets a value that is not an object.
+ */
 export function composePatches(first: JsonObject, second: JsonObject): JsonObject | null {
   const result: JsonObject = { ...first };
   for (const [key, value] of Object.entries(second)) {
@@ -43,7 +46,10 @@ export function diff(from: JsonObject, to: JsonObject): JsonObject {
   return patch;
 }
 
-/** Returns `after` with equal parts reused from `before`. Code that reads an unchanged part need not run again. */
+/**
+ * Returns a value equal to `after`. Objects and arrays that equal those at the same place in `before` are taken from
+ * `before`. A computed signal of such an object then does not change.
+ */
 export function keepEqual(before: Json | undefined, after: Json): Json {
   if (Array.isArray(before) && Array.isArray(after)) {
     const items = after.map((value, index) => keepEqual(before[index], value));

@@ -9,7 +9,10 @@ import { initialState, type PageState } from "./state";
 type Signals<T> = { readonly [K in keyof T]: Signal<T[K]> };
 
 interface Derived {
-  /** Camera of the shown picture. null for polygons, because the page draws polygons with the newest camera. */
+  /**
+   * Camera of the shown picture; null if its scene has no camera. Also null for polygons, because the page draws
+   * polygons with the newest camera.
+   */
   readonly shownFrom: ReadonlySignal<FullCamera | null>;
 }
 
@@ -22,7 +25,7 @@ export function makeModel(saved: Partial<PageState> = {}): Model {
 }
 
 function derivedFrom({ readout, shownScene }: Signals<PageState>): Derived {
-  // The stream is a separate signal, because the rest of the readout changes more often.
+  // A separate signal for the stream, so that other changes of the readout do not compute shownFrom again.
   const isImage = computed(() => readout.value.stream === "image");
   return {
     shownFrom: computed(() => {
@@ -39,7 +42,10 @@ export function update(model: Model, change: Partial<PageState>): void {
   });
 }
 
-/** Without a camera in the scene, returns the server's choice, or the default view until that choice has arrived. */
+/**
+ * Returns the camera of the newest scene. If the scene has no camera, returns the camera that the server chose, or the
+ * default view until the server's answer has arrived. null: no scene, or no description of its dataset.
+ */
 export function cameraOf(model: Model): FullCamera | null {
   const scene = model.scene.value;
   if (scene === null) return null;

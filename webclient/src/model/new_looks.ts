@@ -11,7 +11,9 @@ export const SOLIDS = ["#cccccc", "#e69f00", "#56b4e9", "#009e73", "#f0e442", "#
 
 type Described = DatasetDescription | null;
 
-/** Copies the scene's color scale of this array, if there is one, so that the layers share one legend. */
+/**
+ * Returns a coloring by `array`. Copies the scene's color scale of this array, if any, so that one legend is enough.
+ */
 export function coloredBy(scene: Layered | null, description: Described, array: string): Coloring {
   const name = fullName(description, array);
   const shared = legendsOf(scene, description).find(({ coloring }) => coloring.array === name);
@@ -20,7 +22,7 @@ export function coloredBy(scene: Layered | null, description: Described, array: 
   return scale;
 }
 
-/** Returns {}, the default color, if no layer has the default color or if all colors are used. */
+/** Returns a color that no layer of this type has. {}: the default color, also returned if all colors are used. */
 export function freshSolid(scene: Layered | null, type: "iso" | "surface"): Coloring {
   const taken = new Set(
     layersOf(scene, type).flatMap(([, { color }]) => (color?.array === undefined ? [color?.solid ?? SOLIDS[0]] : [])),
@@ -51,7 +53,10 @@ export function freshArray(scene: Layered | null, description: Described): strin
 const isWhole = (layer: Layer): boolean =>
   layer.type === "surface" && layer.visible !== false && (layer.groups ?? []).length === 0;
 
-/** Returns {} if a layer shows the whole boundary colored by an array, because the caps then have the same colors. */
+/**
+ * Returns the coloring of a new clip's caps. Returns {} if a layer shows the whole boundary colored by an array,
+ * because caps without a coloring have the colors of this layer.
+ */
 export function capColoring(scene: Layered | null, description: Described): Pick<ClipLayer, "color"> {
   const colored = Object.values(scene?.layers ?? {}).some(
     (layer) => isWhole(layer) && layer.type === "surface" && layer.color?.array !== undefined,
@@ -60,7 +65,10 @@ export function capColoring(scene: Layered | null, description: Described): Pick
   return colored || array === undefined ? {} : { color: coloredBy(scene, description, array) };
 }
 
-/** Returns whether the normal points away from the camera. The half on the camera's side would hide the cut. */
+/**
+ * Returns whether a new clip must be inverted: whether its normal points away from the camera. A clip keeps the half
+ * opposite to its normal, and a half on the camera's side hides the cut.
+ */
 export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
   if (camera === null) return false;
   const { position, target } = complete(camera);

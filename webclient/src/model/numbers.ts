@@ -3,7 +3,7 @@ import type { Range } from "../generated/protocol";
 
 export const MINUS = "\u2212";
 
-/** Formats a value with enough digits to distinguish values that differ by a thousandth of `span`. */
+/** Formats a value. The digits are enough to distinguish two values that differ by a thousandth of `span`. */
 export function formatNumber(value: number, span = Math.abs(value)): string {
   if (!Number.isFinite(value)) return "n/a";
   if (value === 0) return "0";
@@ -45,7 +45,10 @@ export function parseNumber(text: string): number | null {
   return Number.isFinite(value) ? value : null;
 }
 
-/** One comma before three digits is ambiguous: it may separate thousands or decimals. */
+/**
+ * Returns a sentence that explains why parseNumber() returns null. One comma before three digits is ambiguous: the
+ * comma may separate thousands or decimals.
+ */
 export function whyNoNumber(text: string): string {
   const typed = withHyphen(text);
   if (typed === "") return "The number is missing";
@@ -57,7 +60,7 @@ export const formatCount = (count: number): string => count.toLocaleString("en-U
 
 export const clamp = (value: number, low: number, high: number): number => Math.min(high, Math.max(low, value));
 
-/** If `to` is beyond the other end, both ends become `to`. */
+/** Moves one end of a range to `to`. If `to` is beyond the other end, both ends become `to`. */
 export const withEnd = ([low, high]: Range, end: 0 | 1, to: number): Range =>
   end === 0 ? [to, Math.max(to, high)] : [Math.min(to, low), to];
 
@@ -67,7 +70,10 @@ export function niceStep([low, high]: Range): number {
   return span > 0 ? 10 ** Math.floor(Math.log10(span / 1000)) : 1;
 }
 
-/** The step is 1, 2 or 5 times a power of ten, at most 1/200 of the width. The ends are multiples of the step. */
+/**
+ * Returns the ends and the step of a slider. The step is 1, 2 or 5 times a power of ten, at most 1/200 of the range.
+ * The ends are multiples of the step, and may therefore lie outside the range.
+ */
 export function sliderTrack([low, high]: Range): { min: number; max: number; step: number } {
   const span = high - low;
   if (!(span > 0) || !Number.isFinite(span)) return { min: low, max: high, step: 1 };
@@ -80,7 +86,7 @@ export function sliderTrack([low, high]: Range): { min: number; max: number; ste
 
 const DECADES = 6;
 
-/** Null if the range has negative values or no width. */
+/** Returns the lowest value on a logarithmic axis. Returns null if the range has negative values or no width. */
 export function logarithmicStart([low, high]: Range): number | null {
   const start = Math.max(low, high / 10 ** DECADES);
   return low >= 0 && start > 0 && start < high ? start : null;
@@ -110,7 +116,7 @@ export function barHeights(counts: readonly number[], logarithmic: boolean): num
   return counts.map((count) => (top > 0 ? measure(count) / top : 0));
 }
 
-/** Returns the middle of the widest gap between neighboring values, rounded. The ends of the range are also values. */
+/** Returns the middle of the widest gap between neighboring values, rounded. The ends of the range count as values. */
 export function widestGap(values: readonly number[], [low, high]: Range): number {
   const stops = [low, ...values.filter((v) => v > low && v < high).sort((a, b) => a - b), high];
   let best = 0;

@@ -1,5 +1,5 @@
-// Opacity curve of a volume: points with positions from 0 to 1 over the range of the color scale, in ascending order.
-// An opacity applies to a ray after one unit length (VolumeLayer.unit_length).
+// Opacity curve of a volume: points with positions from 0 to 1 over the range of the color scale, in ascending order. A
+// ray through one value has the opacity of this value after one unit length (VolumeLayer.unit_length).
 import { DEFAULTS, LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
 
@@ -10,10 +10,12 @@ export const [, MOST_POINTS] = LIMITS.VolumeLayer.opacity_points;
 
 const rounded = (value: number): number => Number(clamp(value, 0, 1).toFixed(4));
 
-/** Opacity of common values. They absorb a seventh of the light along the diagonal (ten default unit lengths). */
+/**
+ * Opacity of common values. A ray along the diagonal (ten default unit lengths) loses a seventh of its light to them.
+ */
 const OF_MOST = 0.015;
 const AT_THE_ENDS = 0.7;
-/** The lowest or highest tenth of the values gets its own opacity if it covers more than this part of the range. */
+/** The lowest or highest tenth of the values counts as rare if it covers more than this fraction of the range. */
 const LEAST_TAIL = 0.02;
 /** Initial curve if no rare values are known. */
 const UNKNOWN: readonly OpacityPoint[] = [
@@ -30,7 +32,10 @@ function quantile(counts: readonly number[], share: number): number {
   return (bin + 0.5) / counts.length;
 }
 
-/** Common values are almost transparent, so that rare values are visible. `counts`: histogram; null if unknown. */
+/**
+ * Returns the opacity curve of a new volume. Common values are almost transparent, so that rare values are visible.
+ * `counts`: histogram; null if unknown.
+ */
 export function firstOpacity(counts: readonly number[] | null): OpacityPoint[] {
   if (counts === null || !counts.some((count) => count > 0)) return [...UNKNOWN];
   const [low, high] = [quantile(counts, 0.1), quantile(counts, 0.9)];
@@ -57,7 +62,7 @@ export function moved(points: readonly OpacityPoint[], index: number, to: Opacit
   return points.map((point, i) => (i === index ? [rounded(clamp(to[0], low, high)), rounded(to[1])] : point));
 }
 
-/** Also returns the index of the new point. */
+/** Returns the points including the new point, and the index of the new point. */
 export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): [OpacityPoint[], number] {
   const after = points.findIndex(([position]) => position > point[0]);
   const index = after < 0 ? points.length : after;
@@ -68,7 +73,7 @@ export function inserted(points: readonly OpacityPoint[], point: OpacityPoint): 
 export const removed = (points: readonly OpacityPoint[], index: number): OpacityPoint[] =>
   points.length === 1 ? [...points] : points.filter((_, i) => i !== index);
 
-/** The new point lies on the curve, so that its insertion does not change the shape of the curve. */
+/** Returns the middle of the widest gap on the curve. Its insertion does not change the shape of the curve. */
 export function middleOfGap(points: readonly OpacityPoint[]): OpacityPoint {
   const ends: OpacityPoint[] = [[0, points[0]?.[1] ?? 0], ...points, [1, points.at(-1)?.[1] ?? 0]];
   let best: OpacityPoint = [0.5, 0.5];

@@ -1,4 +1,5 @@
-// Percentiles of an array, found by histograms over narrower ranges, because a few outliers make the bars too wide.
+// Percentiles of an array, from its histogram. A few outliers make the bars of a histogram too wide. Therefore further
+// histograms are computed over narrower ranges.
 import type { Range } from "../generated/protocol";
 
 export interface Counts {
@@ -8,14 +9,14 @@ export interface Counts {
   above: number;
 }
 
-/** Computes a histogram over a range. null is the range of the array. */
+/** Computes a histogram over a range. null: the range of the array. */
 export type Count = (range: Range | null) => Promise<Counts>;
 
 const MOST_LOOKS = 12;
 /** A result narrower than this fraction of the histogram's range is refined by a histogram over the result. */
 const WIDE_ENOUGH = 0.125;
 
-/** Range from the lower edge of the bar of the first quantile to the upper edge of the bar of the second quantile. */
+/** Returns the lower edge of the bar with the first quantile and the upper edge of the bar with the second quantile. */
 function between({ range: [low, high], counts, below }: Counts, shares: readonly [number, number], all: number): Range {
   const width = (high - low) / counts.length;
   let seen = below;
@@ -32,7 +33,7 @@ function between({ range: [low, high], counts, below }: Counts, shares: readonly
   return [first, last];
 }
 
-/** `shares`: two quantiles from 0 to 1. Returns null if there are no values. */
+/** Returns the range between two quantiles, or null if there are no values. `shares`: the quantiles, from 0 to 1. */
 export async function percentiles(count: Count, shares: readonly [number, number]): Promise<Range | null> {
   let found = await count(null);
   const all = found.counts.reduce((sum, n) => sum + n, found.below + found.above);

@@ -1,4 +1,5 @@
-// Scalars of a dataset's arrays, and the color scales and legends of a scene.
+// Scalars of a dataset's arrays, and the color scales and legends of a scene. A scalar is an array with one component,
+// or a component or the magnitude of a vector array.
 import { scaleOf } from "./color_scale";
 import { layersInOrder, type Layered } from "./layer_order";
 import { formatMeasured } from "./numbers";
@@ -30,7 +31,7 @@ export const allScalarsOf = (description: DatasetDescription | null): Scalar[] =
 export const scalarsOf = (description: DatasetDescription | null): Scalar[] =>
   allScalarsOf(description).filter(({ array }) => array.association === "point");
 
-/** Returns a new layer's default scalar: the scalar of the dataset's default scene, or the first at points. */
+/** Returns the default scalar of new layers: that of the dataset's default scene, or the first scalar at points. */
 export function firstScalar(description: DatasetDescription | null): string | undefined {
   const shown = Object.values(description?.default_scene.layers ?? {});
   for (const layer of shown) if (layer.type === "iso" || layer.type === "volume") return layer.array;
@@ -55,7 +56,7 @@ export function fullName(description: Pick<DatasetDescription, "arrays"> | null,
 export const arrayOf = (description: DatasetDescription | null, scalar: string): ArrayInfo | undefined =>
   boundaryScalarsOf(description).find(({ name }) => name === scalar)?.array;
 
-/** Also finds arrays that no layer can use, because a probe returns their values too. */
+/** Also finds arrays that no layer can use, because a probe returns values of all arrays. */
 const arrayNamed = (description: DatasetDescription | null, name: string): ArrayInfo | undefined =>
   arrayOf(description, name) ??
   description?.arrays.find((other) => name === other.name || name.startsWith(`${other.name}:`));
@@ -115,7 +116,9 @@ interface ScaleOf {
   coloring: ScaledColoring;
 }
 
-/** Returns [] unless `layer` is the whole boundary, because only the whole boundary has caps. */
+/**
+ * Returns the color scales of the caps on `layer`. [] unless it is the whole boundary, because no other layer has caps.
+ */
 function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   if (layer.type !== "surface" || (layer.groups ?? []).length > 0) return [];
   return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
@@ -141,7 +144,10 @@ export interface LegendOf {
   name: string;
 }
 
-/** One legend for each distinct color scale of the visible layers, in layer order, without the layers in `empty`. */
+/**
+ * Returns one legend for each distinct color scale of the visible layers, in layer order. `empty`: layers that show
+ * nothing and therefore have no legend.
+ */
 export function legendsOf(
   scene: Layered | null,
   description: Pick<DatasetDescription, "arrays"> | null,

@@ -19,7 +19,7 @@ export class ShownScenes {
     this.known = [...others, { revision, scene }].sort((a, b) => a.revision - b.revision);
   }
 
-  /** Returns the newest scene up to `revision`. Drops all older scenes, because no later picture shows them. */
+  /** Returns the newest scene up to `revision`. Drops all scenes before it, because no later picture shows them. */
   of(revision: number): Scene | null {
     const newest = this.known.findLastIndex((one) => one.revision <= revision);
     if (newest > 0) this.known = this.known.slice(newest);

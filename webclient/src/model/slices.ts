@@ -36,13 +36,19 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
   return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
 }
 
-/** A plane across an axis lies in the widest gap between the slices. Other looks are copied from the last slice. */
+/**
+ * Returns a new slice. A plane across an axis lies in the widest gap between the other slices across this axis.
+ * Opacity, contours and edges are copied from the last slice.
+ */
 export function furtherSlice(slices: Slices, across: Across, bounds: Bounds, color: Coloring): SliceLayer {
   const last = slices.at(-1)?.[1];
   return { type: "slice", ...freshPlane(slices, across, bounds), ...(last && looksOf(last)), color };
 }
 
-/** A plane that becomes free keeps its position. A free plane keeps the coordinate of its origin along `across`. */
+/**
+ * Returns the changed members for another kind of plane. A plane that becomes free keeps its position. A free plane
+ * that becomes perpendicular to an axis keeps the coordinate of its origin along this axis.
+ */
 export function planeChange(slices: Slices, slice: SliceLayer, across: Across, bounds: Bounds): object {
   const { axis, value } = slice;
   if (across === (axis ?? "free")) return {};

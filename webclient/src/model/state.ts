@@ -69,7 +69,7 @@ export interface Histogram {
 
 export interface LongCall {
   words: string;
-  /** Name of the call in call.progress. */
+  /** Name of the call in the notification call.progress. */
   name: string;
   progress: Notifications["call.progress"] | null;
 }
@@ -97,7 +97,7 @@ export interface PageState {
   seenFrom: { dataset: string; camera: FullCamera } | null;
   canUndo: boolean;
   canRedo: boolean;
-  /** Whether the server has not accepted the newest change yet. */
+  /** Whether the server has not yet accepted the newest change. */
   pending: boolean;
   /** Revision of the newest change that the server has accepted. */
   revision: number;
@@ -107,11 +107,11 @@ export interface PageState {
   readout: Readout;
   /** Revision that the server failed to draw. null after the next picture. */
   failedRevision: number | null;
-  /** Sentences about parts that the picture lacks. */
+  /** Sentences about data that the picture does not show. */
   lacking: string[];
   /** Visible layers without any geometry to show, with the reason. */
   empty: EmptyLayer[];
-  /** Ids of layers with parts that have no value of the array that colors the layer. */
+  /** Ids of layers that are colored by an array and have places without a value of this array. */
   missing: string[];
   probe: Probe | null;
   /** Id of the layer that was changed last. */

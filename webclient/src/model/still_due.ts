@@ -3,7 +3,9 @@ import type { PageState } from "./state";
 
 type Seen = Pick<PageState, "connection" | "readout" | "pending" | "revision" | "playing" | "failedRevision">;
 
-/** While a newer scene is pending, no still picture is due: the interactive picture of the newer scene comes first. */
+/**
+ * While a newer scene is pending, the result is false, because an interactive picture of the newer scene comes first.
+ */
 export function stillDue({ connection, readout, pending, revision, playing, failedRevision }: Seen): boolean {
   const isPreview = readout.stream === "image" && !readout.still;
   const isNewest = !pending && !playing && readout.revision >= revision;

@@ -2,7 +2,10 @@
 import type { SocketLike } from "./connection";
 import { Disconnected, type Post } from "./rpc";
 
-/** Copied links must not contain the token. The server has already stored the token in a cookie. */
+/**
+ * Removes the token from the page's address, because copied links must not contain the token. The server has already
+ * stored the token in a cookie.
+ */
 export function hideToken(): void {
   const address = new URL(location.href);
   if (!address.searchParams.has("token")) return;

@@ -1,7 +1,7 @@
 // Chooses the stream, pictures or polygons, by the time that a change needs. A pure function of measured values.
 
 export type Kind = "image" | "geometry";
-/** What the user changes. "camera" needs no new polygons, "value" needs new polygons, "rest" is no change. */
+/** "camera": the camera moves, which needs no new polygons. "value": anything else changes. "rest": nothing changes. */
 export type Gesture = "camera" | "value" | "rest";
 
 export interface StreamFacts {
@@ -9,7 +9,7 @@ export interface StreamFacts {
   gesture: Gesture;
   /** Measured bytes per second of the connection; null until a frame was long enough to measure. */
   lineRate: number | null;
-  /** Whether a still picture has arrived. A still picture gives a line rate, unless it is too short to measure. */
+  /** Whether a still picture has arrived. If so and `lineRate` is null, the picture was too short to measure. */
   sawStill: boolean;
   /** Round trip of a call in milliseconds; null until a call has been answered. */
   roundTripMs: number | null;
@@ -38,9 +38,9 @@ export interface Choice {
 const USUAL_DRAW_MS = 16;
 /** Draw time of polygons in milliseconds above which pictures are used, if a picture arrives sooner. */
 const TOO_SLOW_MS = 100;
-/** During a value gesture, the new stream must be faster by this factor, which prevents repeated switching. */
+/** During a value gesture, only a stream that is faster by this factor is chosen, which prevents repeated switching. */
 const BETTER = 1.3;
-/** Longest transfer of all polygons, in seconds, without a gesture and during a camera gesture. */
+/** Longest accepted transfer of all polygons, in seconds: without a gesture, and during a camera gesture. */
 const FETCH_AT_REST = 3;
 const FETCH_IN_GESTURE = 0.3;
 
@@ -84,7 +84,10 @@ export function chooseStream(facts: StreamFacts): Choice {
     : pictures(cost);
 }
 
-/** During a value gesture, does not switch to polygons, because each change makes new polygons. */
+/**
+ * Chooses the stream while the line rate is unknown. Does not switch to polygons during a value gesture, because each
+ * change makes new polygons.
+ */
 function unmeasured({ current, gesture, sawStill, polygonBytes, pictureBytes }: StreamFacts): Choice {
   const isFewer = sawStill && polygonBytes <= pictureBytes;
   if (isFewer && (gesture !== "value" || current === "geometry"))

@@ -33,7 +33,10 @@ export const LAST_RETRY_MS = 15_000;
 export const HEARTBEAT_MS = 10_000;
 export const CONNECT_TIMEOUT_MS = 10_000;
 
-/** A random part of up to a quarter is subtracted, so that the clients do not all reconnect at the same time. */
+/**
+ * Returns milliseconds. Up to a quarter of the delay is subtracted at random, so that the clients of a server do not
+ * all reconnect at the same time. `random`: from 0 to 1.
+ */
 export function retryDelay(attempt: number, random: number): number {
   const delay = Math.min(LAST_RETRY_MS, FIRST_RETRY_MS * 2 ** Math.min(attempt, 16));
   return delay * (0.75 + 0.25 * random);

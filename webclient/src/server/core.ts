@@ -24,7 +24,7 @@ export interface PageCallbacks {
   frames(): FrameReceiver | null;
   clearPicture(): void;
   stopPlaying(): void;
-  /** Called when the scene has changed. It is not null. */
+  /** Called when the scene has changed, unless it has become null. */
   sceneChanged(): void;
 }
 
@@ -41,6 +41,6 @@ export interface Core {
   readonly entry: Entry;
   readonly streams: { wanted(): StreamWish; reconsider(): void };
   fail(error: unknown): void;
-  /** Call when the page knows the server's scene at this revision. */
+  /** Call with each scene of the server, and the revision of the scene. */
   taken(revision: number, scene: Scene): void;
 }

@@ -1,4 +1,5 @@
-// Changes of the model's scene. A change applies to the scene at once, and is sent at most once per animation frame.
+// Changes the scene of the model. A change applies to the local scene at once. The changes of one gesture are merged
+// until the next animation frame, and then sent to the server.
 import { batch } from "@preact/signals";
 import type { Layer, Revision, Scene, SessionState } from "../generated/protocol";
 import { applyPatch, composePatches, diff, keepEqual, type Json, type JsonObject } from "../model/merge_patch";
@@ -21,8 +22,8 @@ const FIRST_REVISION = 1;
 export type Step = "undo" | "redo";
 
 /**
- * Members of the model that only the editor writes. canUndo and canRedo come from the server, because its history may be
- * longer than the page's copy (scene_history.ts).
+ * Members of the model that only the editor writes. canUndo and canRedo come from the server, because the server's
+ * history may be longer than the page's copy (scene_history.ts).
  */
 export type EditedState = Pick<Model, "scene" | "canUndo" | "canRedo" | "pending">;
 
@@ -50,7 +51,10 @@ interface Change {
   patch: JsonObject;
   gesture: string;
   since: number;
-  /** A part was dropped, and the user has been told this. A refusal by the server is then not reported in addition. */
+  /**
+   * The change of a removed layer was dropped from the patch, and the user has been told this. A refusal of the rest by
+   * the server is then not reported.
+   */
   targetsRemovedLayer?: boolean;
 }
 
@@ -69,7 +73,7 @@ export class SceneEditor {
   private unanswered: Change[] = [];
   /** Whether the connection ended while changes were unanswered. The server may lack these changes. */
   private lostUnanswered = false;
-  /** Whether the local scene may differ from the server's, which is then fetched after all changes are answered. */
+  /** Whether the local scene may be wrong. If so, the server's scene is fetched after all changes are answered. */
   private doubtful = false;
   private asking = false;
   /** Number of unanswered undos, redos and proposed scenes. */
@@ -109,12 +113,12 @@ export class SceneEditor {
     return this.queue.length > 0 || this.unanswered.length > 0 || this.lostUnanswered;
   }
 
-  /** Undo and redo steps that the page sends when it opens the session again, in a message of at most `messageBytes`. */
+  /** Returns the steps to send when the page opens the session again, in a message of at most `messageBytes`. */
   stepsAround(scene: Scene, messageBytes?: number): Steps {
     return this.history.around(scene, messageBytes);
   }
 
-  /** The server's scene and the steps around it, for restoreSteps() of a reloaded page. Empty before a session. */
+  /** Text for restoreSteps() after a reload: the server's scene, its undo and redo steps. Empty before a session. */
   stepsAsText(): string {
     return this.history.asText();
   }
@@ -131,9 +135,9 @@ export class SceneEditor {
   }
 
   /**
-   * `make` makes a change that waits for an answer of the server. It is called by makeHeld(), and before any other
-   * change of the user, undo or redo, so that undo steps have the order of the user's actions. Replaces the one held
-   * before.
+   * Postpones a change that needs an answer of the server. makeHeld() calls `make`, which makes the change. Every other
+   * change of the user, undo and redo calls makeHeld() first, so that undo steps have the order of the user's actions.
+   * Replaces an earlier postponed change.
    */
   hold(make: () => void): void {
     this.held = make;
@@ -150,7 +154,7 @@ export class SceneEditor {
     this.changeAutomatically(patch, gesture);
   }
 
-  /** For a change that is no action of the user. The change that is held stays held. */
+  /** For a change that is not an action of the user. Does not call makeHeld(). */
   changeAutomatically(patch: object, gesture: string): void {
     const { scene } = this;
     if (scene === null) return;
@@ -167,8 +171,8 @@ export class SceneEditor {
   }
 
   /**
-   * Makes an automatic change. Undo reverts it together with the previous change, also one before a reload of the page.
-   * After a restart of the server, undo reverts it alone.
+   * Makes an automatic change. One undo reverts this change and the previous change, even if the page was reloaded
+   * between the two. After a restart of the server, undo reverts this change alone.
    */
   amend(patch: object): void {
     this.changeAutomatically(patch, this.newestGesture);
@@ -200,7 +204,7 @@ export class SceneEditor {
     await this.travel((server) => server.redo(), moved, stuck);
   }
 
-  /** Changes made while disconnected are sent to the session as one undo step. */
+  /** Adopts the state of the opened session. Sends the changes made while disconnected as one undo step. */
   connected(server: SceneServer, state: SessionState): void {
     const mine = this.scene;
     const unsent = this.differsFromServer;
@@ -239,7 +243,7 @@ export class SceneEditor {
     this.history.forget();
   }
 
-  /** Adopts the scene of another client. Applies the unanswered changes of this page to this scene again. */
+  /** Adopts a scene that another client has changed. Applies the unanswered changes of this page again. */
   overheard(scene: Scene): void {
     this.history.found(scene);
     this.adopt({ scene }, this.unanswered);
@@ -303,7 +307,10 @@ export class SceneEditor {
     });
   }
 
-  /** With changes of layers that another client has removed, the server would make incomplete layers. */
+  /**
+   * Returns the patch without changes of layers that another client has removed. The server would make incomplete
+   * layers from these changes.
+   */
   private withoutLost(patch: JsonObject, scene: Scene): JsonObject {
     const stray = strayLayers(patch, scene).filter((id) => this.lost.has(id));
     for (const id of stray) this.events.gone(this.lost.get(id) as Layer);

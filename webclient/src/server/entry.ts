@@ -4,7 +4,10 @@ import { askRefusal, offerToken, tokenIn, type Fetch } from "./access";
 
 const get: Fetch = (address, init) => fetch(address, init);
 
-/** One answer is not enough, because a restarted server answers HTTP before the page tries a WebSocket again. */
+/**
+ * HTTP answers after which a blocked WebSocket is reported. One answer is not enough, because a restarted server
+ * answers HTTP before the page tries a WebSocket again.
+ */
 const TRIES_BEFORE_NO_SOCKET = 2;
 
 export class Entry {

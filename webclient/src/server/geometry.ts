@@ -1,4 +1,5 @@
-// Decodes messages of kind 2. A message contains a batch of polygons of one layer (protocol/frame.md).
+// Decodes messages of the geometry stream (kind 2 of protocol/frame.md). A message contains a batch: polygons of one
+// layer.
 import { MeshoptDecoder } from "meshoptimizer/decoder";
 import { readFrameHeader, FRAME_HEADER_BYTES } from "../generated/frame_header";
 import { scaleOf, type ColorScale } from "../model/color_scale";
@@ -97,7 +98,10 @@ class Rest {
 class KeptArrays {
   private readonly kept = new Map<string, { frame: number; arrays: unknown }>();
 
-  /** `decode` is null if the batch contains only the id. Throws MissingArrays if the arrays are then not kept. */
+  /**
+   * Returns the arrays of the id. `decode`: decodes them from the batch; null if the batch contains only the id. In
+   * this case, throws MissingArrays if the arrays are not kept.
+   */
   use<Arrays>(id: string, frame: number, decode: (() => Arrays) | null): Arrays {
     const arrays = decode === null ? this.kept.get(id)?.arrays : decode();
     if (arrays === undefined)
@@ -150,7 +154,7 @@ function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, res
   return { positions, normals: directions, indices: corners };
 }
 
-/** Offsets from `sent.origin`, because values of a small range far from 0 would lose digits as 32-bit floats. */
+/** Returns offsets from `sent.origin`, because 32-bit floats would lose digits of a small range far from 0. */
 function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest: Rest): Float32Array {
   const count = sent.of === "vertices" ? vertices : indices / CORNERS[sent.of];
   const values = new Float32Array(count);
@@ -162,7 +166,7 @@ function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest
   return values;
 }
 
-/** Splits shared vertices. Makes one vertex for each corner, which has the value of its triangle, line or point. */
+/** Makes one vertex for each corner, because vertices with one value per triangle, line or point cannot be shared. */
 function apart(
   { positions, normals, indices }: Mesh,
   values: Float32Array,

@@ -1,4 +1,5 @@
-// Decodes messages of kind 1. A message contains one picture, which the browser decodes outside the main thread.
+// Decodes messages of the image stream (kind 1 of protocol/frame.md). A message contains one picture. The browser
+// decodes the picture outside the main thread.
 import { FRAME_HEADER_BYTES } from "../generated/frame_header";
 
 const SIGNATURES: Record<string, number[]> = {

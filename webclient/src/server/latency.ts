@@ -8,7 +8,7 @@ export class Latency {
   private times: number[] = [];
   last: number | null = null;
 
-  /** The picture of this revision may arrive before the server's answer, and be shown already. */
+  /** Call when the server has accepted a change made at `since`. The picture of the change may already be shown. */
   accepted(revision: number, since: number): void {
     if (this.presented.revision >= revision) this.last = Math.max(0, this.presented.at - since);
     else this.waiting.push({ revision, since });

@@ -3,8 +3,8 @@
 import type { FrameHeader } from "../generated/frame_header";
 
 /**
- * Fewer bytes after the first piece may arrive at once from a buffer. If at least this many bytes follow the first
- * piece, the server makes the first piece short.
+ * Fewest bytes after the first piece for a measurement. Fewer bytes may arrive at once from a buffer, and the rate
+ * would be too high. If at least this many bytes follow the first piece, the server makes the first piece short.
  */
 const FEWEST_BYTES = 32 << 10;
 const REMEMBERED = 5;
@@ -38,7 +38,10 @@ export class LineRate {
     return true;
   }
 
-  /** A busy page may receive a whole frame at once. A single rate that is too high hardly changes the median. */
+  /**
+   * Median of the newest rates; null before the first measurement. A busy page may receive a whole frame at once. Such
+   * a rate is too high, but hardly changes the median.
+   */
   get bytesPerSecond(): number | null {
     const sorted = [...this.rates].sort((a, b) => a - b);
     return sorted[Math.floor((sorted.length - 1) / 2)] ?? null;

@@ -16,7 +16,7 @@ export class PatchesAtOnce {
     this.answers = [...this.answers.slice(1 - REMEMBERED), took];
   }
 
-  /** The fastest recent answer is used, because it did not wait on the server. */
+  /** The fastest recent answer gives the round trip, because it did not wait in a queue on the server. */
   get count(): number {
     if (this.answers.length === 0) return LEAST;
     return Math.min(MOST, LEAST + Math.floor(Math.min(...this.answers) / FRAME_MS));

@@ -42,16 +42,19 @@ interface Message {
   error?: { code: number; message: string; data?: unknown };
 }
 
-/** Always called by HTTP POST, because the result may exceed the limit of a WebSocket message. */
+/** Methods that are always called by HTTP POST, because the result may exceed the limit of a WebSocket message. */
 const BY_POST = new Set<MethodName>(["picture.render", "surface.export"]);
 
-/** Called by POST after an answer that was too long for a WebSocket message. Undo and redo must not be repeated. */
+/**
+ * Method to call by POST after an answer that was too long for a WebSocket message. Absent: the same method. Undo and
+ * redo must not be repeated.
+ */
 const ASKED_AGAIN_AS: Partial<Record<MethodName, MethodName>> = {
   "scene.undo": "scene.get",
   "scene.redo": "scene.get",
 };
 
-/** Without `id`: a notification. A server with another major version of the contract refuses the request. */
+/** Without `id`: a notification. A server with another major version of the protocol refuses the request. */
 const requestText = (method: MethodName, params: unknown, id?: number): string =>
   JSON.stringify({ jsonrpc: "2.0", protocol: PROTOCOL, id, method, params });
 

@@ -1,8 +1,8 @@
-// Copy of the server's undo and redo steps. When the page opens a session on a restarted server, it sends these steps.
+// Copy of the server's undo and redo steps. The page sends these steps when it opens a session on a restarted server.
 import { LIMITS, type Scene } from "../generated/protocol";
 import { applyPatch, diff, equal, type JsonObject } from "../model/merge_patch";
 
-/** Merge patches. The step nearest to the current scene is first. Each patch applies to the previous result. */
+/** Merge patches. The first patch applies to the current scene, each further patch to the result of the one before. */
 export interface Steps {
   undo: JsonObject[];
   redo: JsonObject[];
@@ -13,7 +13,7 @@ const [, MOST_STEPS] = LIMITS["session.open"].undo;
 const MOST_BYTES = 1_000_000;
 /** Bytes of the message that are neither scene nor steps. */
 const REST_OF_REQUEST = 2048;
-/** Gesture name for the changes of other clients. Their gestures are unknown, so consecutive ones count as one step. */
+/** Gesture name for changes of other clients. Their gestures are unknown: consecutive changes count as one step. */
 const OF_OTHERS = "others";
 
 export class SceneHistory {
@@ -37,19 +37,22 @@ export class SceneHistory {
     if (this.scene !== null) this.become(applyPatch(this.scene, patch) as JsonObject, gesture);
   }
 
-  /** Makes the next change a step of its own. Call when the session is new, because its server knows no gesture. */
+  /** Makes the next change a new step. Call when the session is new: its server does not know the earlier gesture. */
   endGesture(): void {
     this.gesture = "";
   }
 
-  /** Call when the server has this scene. Any client may have changed it. */
+  /** Call with a scene that the server has sent. Any client may have changed the scene. */
   found(scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null) this.scene = found;
     else this.become(found, OF_OTHERS);
   }
 
-  /** The scene may be several steps away, because the server skips steps whose scene it cannot show. */
+  /**
+   * Call after an undo or redo, with the server's scene. The scene may be several steps away, because the server skips
+   * steps whose scene it cannot show.
+   */
   moved(step: keyof Steps, scene: Scene): void {
     const found = scene as unknown as JsonObject;
     if (this.scene === null || equal(this.scene, found)) return;
@@ -89,7 +92,7 @@ export class SceneHistory {
       : JSON.stringify({ scene: this.scene, gesture: this.gesture, ...fitting(this.steps, this.scene) });
   }
 
-  /** Call before the first session with the text of an earlier page. Another text is ignored. */
+  /** `text`: result of asText() before a reload of the page. Ignores an invalid text. Call before the first session. */
   restore(text: string): void {
     const saved = savedIn(text);
     if (saved === null) return;

@@ -41,7 +41,7 @@ export type Caller = <M extends MethodName>(method: M, params: Params<M>) => Pro
 export class Session {
   private readonly connection: Connection;
   private joining: Promise<void> = Promise.resolve();
-  /** Scene passed to begin() and not shown yet. The session is opened with it instead of the editor's scene. */
+  /** Scene passed to begin() and not sent yet. A session is opened with this scene instead of the editor's scene. */
   private chosen: Scene | null = null;
   private view = 0;
   private sentSize: ViewSize = { width: 0, height: 0, pixel_ratio: 1 };
@@ -120,7 +120,7 @@ export class Session {
     this.call("view.stream", { view: this.view, ...wish }).catch((error: unknown) => this.report(error));
   }
 
-  /** If no session is open (no scene, or the server refused the session), opens a session with this scene. */
+  /** Shows this scene. Opens a session if none is open: the page had no scene, or the server refused the session. */
   async begin(scene: Scene): Promise<void> {
     this.chosen = scene;
     await this.joining;
@@ -193,7 +193,7 @@ export class Session {
     this.setStream(this.host.stream());
   }
 
-  /** The server closes the connection if a message is too long, so it is asked for its limit first. */
+  /** Asks for the server's message limit first, because the server closes the connection if a message is too long. */
   private async stepsThatFit(call: Caller, scene: Scene): Promise<Steps> {
     const { undo, redo } = this.editor.stepsAround(scene);
     if (undo.length + redo.length === 0) return { undo, redo };
@@ -212,8 +212,8 @@ export class Session {
 }
 
 /**
- * Returns the text of an error for the user: the server's reason, and the path of the refused member of the scene. A
- * defect of the server has its request id, with which the operator finds it in the log.
+ * Returns the text of an error for the user: the server's reason, and the path of the refused member of the scene. For
+ * an internal error of the server, the text has the request id, which is also in the server's log.
  */
 export function wordsFor(error: Error): string {
   if (!(error instanceof RpcError) || typeof error.data !== "object" || error.data === null) return error.message;

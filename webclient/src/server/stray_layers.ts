@@ -6,7 +6,7 @@ export function removedBetween(before: Scene | null, after: Scene): [string, Lay
   return Object.entries(before?.layers ?? {}).filter(([id]) => !(id in (after.layers ?? {})));
 }
 
-/** Skips a change with a `type`, because such a change adds a layer. */
+/** Returns the ids of changed layers that the scene lacks. A change with a `type` adds a layer and is not returned. */
 export function strayLayers({ layers }: JsonObject, scene: Scene): string[] {
   if (!isObject(layers)) return [];
   return Object.keys(layers).filter((id) => {

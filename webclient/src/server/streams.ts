@@ -30,7 +30,7 @@ export class Streams {
 
   constructor(private readonly server: Core) {}
 
-  /** The line rate can be measured before the frame is complete. */
+  /** Call for each message, because the line rate can be measured before the frame is complete. */
   arrived(header: FrameHeader, at: number): void {
     if (this.rate.arrived(header, at)) this.reconsider();
   }

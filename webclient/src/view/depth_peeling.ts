@@ -1,5 +1,6 @@
 // Depth peeling, as in server/render/surfaces/depth_peeling.hpp: a layer contains, at each pixel, the nearest fragment
-// behind the previous layer. After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
+// behind the previous layer. These layers are not the layers of the scene. After Everitt, "Interactive
+// order-independent transparency", NVIDIA 2001.
 import type { BatchPrograms, Picture } from "./uploaded_batches";
 import { buildProgram, type Program } from "./gl_program";
 import { LayerCount, MOST_LAYERS } from "./layer_count";
@@ -13,7 +14,10 @@ import {
 import { makeSheetTexture, SheetMaker, type Sheet, type Sheets } from "./peeling_sheets";
 import { LINE_FRAGMENT, LINE_VERTEX, POINT_FRAGMENT, SURFACE_FRAGMENT, SURFACE_VERTEX } from "./shaders";
 
-/** Limits the render targets to 0.4 GB. They take 28 bytes per target pixel, or 44 bytes with transparent lines. */
+/**
+ * Pictures with at most this many pixels have layers of twice the resolution. This limits the render targets to 0.4 GB:
+ * they take 28 bytes per target pixel, or 44 bytes with transparent lines.
+ */
 const MOST_PIXELS_AT_TWICE_THE_RESOLUTION = 2 << 20;
 
 /** Texture units of the peeling shaders' samplers. Unit 0 has the color scale. */
@@ -45,7 +49,7 @@ export class DepthPeeling {
   private readonly count = new LayerCount();
   private sheets: Sheets | null = null;
   private made = "";
-  /** Number of layers of the newest picture. It is 0 after the occlusion queries of these layers have been read. */
+  /** Number of layers of the newest picture; 0 after the occlusion queries of these layers have been read. */
   private asked = 0;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
@@ -72,7 +76,7 @@ export class DepthPeeling {
     const { gl } = this;
     const twice = scene.width * scene.height <= MOST_PIXELS_AT_TWICE_THE_RESOLUTION ? 2 : 1;
     const sheets = this.sheetsFor(twice * scene.width, twice * scene.height, scene.joins);
-    // While the camera moves, only a part of the render targets is used, so that a drag allocates no memory.
+    // While the camera moves, only the lower left of the render targets is used, so that a drag allocates no memory.
     const pixels = scene.moving ? 1 : twice;
     const picture = { width: pixels * scene.width, height: pixels * scene.height, pixels };
     gl.viewport(0, 0, picture.width, picture.height);
@@ -134,7 +138,8 @@ export class DepthPeeling {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  // The canvas's depth cannot be used, because the canvas is multisampled.
+  // Draws the opaque surfaces again for their depth. The depth of the canvas cannot be used, because it is
+  // multisampled.
   private drawOpaque(scene: PeeledScene, { opaque }: Sheets, picture: Picture): void {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, opaque.framebuffer);

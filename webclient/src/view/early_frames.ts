@@ -1,7 +1,7 @@
 // Keeps frames that arrive before the answer to view.open, which contains the id of the view (protocol/frame.md).
 import type { FrameHeader } from "../generated/frame_header";
 
-/** The server's default limit unacknowledged_frames, because early frames are not acknowledged. */
+/** Frames kept per view. The server sends two frames before the first acknowledgement (limit unacknowledged_frames). */
 const MOST_FRAMES = 2;
 
 interface EarlyFrame {

@@ -1,4 +1,4 @@
-// Draws the polygon stream with WebGL2. The camera then moves without a round trip to the server.
+// Draws the polygons of the geometry stream with WebGL2. Therefore, a camera move needs no round trip to the server.
 import type { GeometryBatch } from "../server/geometry";
 import { DepthPeeling } from "./depth_peeling";
 import { UploadedBatches, type BatchPrograms, type Picture } from "./uploaded_batches";
@@ -52,7 +52,7 @@ export class GeometryCanvas {
     if (!this.isPeeled) this.peeling?.free();
   }
 
-  /** If true, fewer layers are drawn while the camera moves, and the picture must be drawn again afterwards. */
+  /** Whether depth peeling is used. If so, pictures drawn while `moving` have fewer layers: draw again at rest. */
   get isPeeled(): boolean {
     return this.uploaded.has(isTransparent);
   }

@@ -9,7 +9,7 @@ export interface GestureTarget {
   /** Moves the camera. `gesture` is the same name from press to release. */
   move(camera: FullCamera, gesture: string): void;
   newGesture(): string;
-  /** Begins an orbit about what is at pixel (x, y). */
+  /** Begins an orbit about the surface point at pixel (x, y). */
   turnsAbout(x: number, y: number): void;
   /** Orbits by (dx, dy) CSS pixels. */
   turn(dx: number, dy: number, gesture: string): void;

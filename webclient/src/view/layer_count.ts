@@ -1,4 +1,5 @@
-// Number of layers of depth peeling. The results of occlusion queries are available only for the next picture.
+// Chooses the number of layers of depth peeling from occlusion queries of the previous picture. The results of queries
+// are not available while the same picture is drawn.
 
 export const MOST_LAYERS = 32; // also the server's limit; further layers are dropped
 export const MOST_MOVING_LAYERS = 8;

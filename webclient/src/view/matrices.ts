@@ -2,14 +2,14 @@
 import { boundsCentre, boundsRadius, frame, type Bounds, type FullCamera } from "../model/camera";
 import { dot, subtract, type Matrix, type Vec3 } from "../model/vector";
 
-/** For positions relative to `origin`. As 32-bit floats, large world coordinates would lose digits. */
+/** Returns the matrix for positions relative to `origin`, because 32-bit world coordinates would lose digits. */
 export function viewMatrix(camera: FullCamera, origin: Vec3): Matrix {
   const { right: r, up: u, forward: f } = frame(camera);
   const eye = subtract(camera.position, origin);
   return [r[0], u[0], -f[0], 0, r[1], u[1], -f[1], 0, r[2], u[2], -f[2], 0, -dot(r, eye), -dot(u, eye), dot(f, eye), 1];
 }
 
-/** The near and far planes are close to the bounding box, which gives the best depth resolution. */
+/** Returns the distances of the near and far planes. They are close to the bounding box for a high depth resolution. */
 export function depthRange(camera: FullCamera, bounds: Bounds): [number, number] {
   const radius = Math.max(boundsRadius(bounds), 1e-12) * 1.01;
   const along = dot(subtract(boundsCentre(bounds), camera.position), frame(camera).forward);

@@ -30,8 +30,9 @@ void leave_out_what_is_seen(float depth) {
 #endif
 `;
 
-// Joins the segments of transparent lines. A layer has the fragment of the nearest segment. With JOINING defined, the
-// shader draws all segments again and keeps the largest coverage.
+// Joins the segments of transparent lines, which overlap: each segment would absorb light in the overlap. A layer has
+// the fragment of the nearest segment. With JOINING defined, the shader draws all segments again and keeps the largest
+// coverage.
 export const LINE_LAYERS = `
 #ifdef PEELED
 flat in float joint;

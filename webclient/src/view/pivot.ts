@@ -3,25 +3,25 @@ import type { FullCamera } from "../model/camera";
 import type { Vec3 } from "../generated/protocol";
 import type { Server } from "../server/server";
 
-/** Milliseconds to wait for the server's answer. After this time the orbit is about the target until the answer comes. */
+/** Milliseconds to wait for the server's answer. Later, the orbit is about the target until the answer comes. */
 export const PIVOT_PATIENCE_MS = 300;
 
 export class Pivot {
   private asked = 0;
   private known: { dataset: string; at: Vec3 } | null = null;
-  /** Called when the center is known, or cannot be known in time. null: nothing is sought. */
+  /** Called when the center is known, the call fails, or PIVOT_PATIENCE_MS have passed. null: no center is sought. */
   private awaited: (() => void) | null = null;
 
   constructor(private readonly server: Server) {}
 
-  /** True while the server is asked. A turn about another point meanwhile could move the geometry out of the window. */
+  /** True while turns must wait for the center. Turns about another point could move the geometry out of the window. */
   get isSought(): boolean {
     return this.awaited !== null;
   }
 
   /**
-   * (x, y) is the start of the orbit, in CSS pixels of the canvas. `found` is called once, when isSought becomes false,
-   * unless another call of seek() comes first.
+   * Asks the server for the center of an orbit that starts at (x, y), in CSS pixels of the canvas. `found` is called
+   * once, when isSought becomes false, unless another call of seek() comes first.
    */
   seek(x: number, y: number, found: () => void): void {
     const { editor, model, session, size, tab } = this.server;

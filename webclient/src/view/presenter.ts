@@ -86,6 +86,7 @@ export class Presenter {
       const whole = this.pieces.add(header, message);
       if (whole !== null) this.receiveWhole(readFrameHeader(whole), whole);
     } catch (error) {
+      this.events.acknowledge(header.view, header.frame); // like a damaged image, see receiveImage
       this.events.failed(error as Error);
     }
   }

@@ -100,7 +100,8 @@ void main() {
   result = vec4(base, color.a * cover);
 }`;
 
-// Draws a line as a rectangle with soft edges. Clips the line, because points behind the camera have no pixel.
+// Draws a line as a rectangle with soft edges. Clips the line at the near plane, because an end behind the camera has
+// no position in the picture.
 export const LINE_VERTEX = `#version 300 es
 uniform highp sampler2D ends; // x, y, z, value (lines.ts)
 uniform float value_origin;

@@ -35,7 +35,7 @@ export interface Picture {
   pixels: number;
 }
 
-/** It is enough to compare references, because the decoder returns an unchanged array as the same object. */
+/** Compares references, because the decoder returns the same object for an unchanged array. */
 const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
   a.normals === b.normals &&
@@ -81,7 +81,7 @@ export class UploadedBatches {
     return this.uploads.some(({ batch }) => wanted(batch));
   }
 
-  /** From the middle of the widest line or point to its edge, in picture pixels. The server computes the same value. */
+  /** Returns the distance from the middle of the widest line or point to its edge, in picture pixels, from 1 to 6. */
   reachOfOverlays(): number {
     const widths = this.uploads.map(({ batch }) => (isSurface(batch) ? 0 : batch.width / 2 + 0.5));
     return clamp(Math.max(...widths, 1), 1, 6);

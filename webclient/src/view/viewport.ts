@@ -7,7 +7,7 @@ import type { Screen } from "./presenter";
 
 /** Milliseconds without a change after which a view with transparent layers is drawn in full quality. */
 const REST_MS = 150;
-/** Milliseconds between two checks whether transparent layers are missing. */
+/** Milliseconds between two checks whether the picture lacks layers of depth peeling. */
 const ASK_AGAIN_MS = 30;
 
 export class Viewport implements Screen {

@@ -1,11 +1,12 @@
-// Places, values and colors on a color scale, computed by the code of server/color/color_scale.hpp.
+// Places, values and colors on a color scale, computed by the code of server/color/color_scale.hpp. A place is a
+// position on the scale: 0 at the lower end, 1 at the upper end.
 import { call } from "./layout_module";
 import type { Item, ResultReader } from "./message";
 
 /** Red, green and blue from 0 to 255. */
 export type Rgb8 = readonly [number, number, number];
 
-/** The part of a color scale that gives each value its place and its label. */
+/** The members of a color scale that determine the place and the label of each value. */
 export interface ScaleOfValues {
   /** Lowest and highest value of the scale. A logarithmic range is above zero, or from -r to r. */
   range: readonly [number, number];
@@ -48,7 +49,7 @@ export const colorOf = (scale: ScaleInBytes, value: number): Rgb8 => color(call(
 
 export const hasWidth = (scale: ScaleOfValues): boolean => call("has_width", valuesItem(scale)).number() !== 0;
 
-/** Returns the position of a value: 0 at the lower end, 1 at the upper end, 0.5 for a range without width. */
+/** Returns 0.5 for a range without width. */
 export const placeOf = (scale: ScaleOfValues, value: number): number =>
   call("place_of", valuesItem(scale), value).number();
 
@@ -57,7 +58,7 @@ export const valueAtPlace = (scale: ScaleOfValues, place: number): number =>
 
 /** Texels of the texture scale_rules in protocol/shading/color_scale.glsl. */
 export interface ScaleRules {
-  /** To be subtracted from values. Values of a small range far from 0 then keep their digits as 32-bit floats. */
+  /** The shader needs values minus this origin, because 32-bit floats would lose digits of a small range far from 0. */
   origin: number;
   /** Five RGBA texels. */
   texels: Float32Array<ArrayBuffer>;

@@ -1,4 +1,5 @@
-// Loads the WebAssembly module of server/page, so that the page and saved pictures have the same annotations and colors.
+// Loads the WebAssembly module of server/page. Annotations and colors of the page are then the same as in saved
+// pictures.
 import { messageOf, ResultReader, type Item } from "./message";
 import { textMeasure, type TextMeasure } from "./text_measure";
 
@@ -18,7 +19,7 @@ type Exports = Record<FunctionName, Call> & {
 
 let loaded: Exports | null = null;
 
-/** The C library of the module writes only to report a defect of the module, so these functions do nothing. */
+/** Imports of the module's C library. They do nothing: the library writes only to report defects of the module. */
 function systemCalls(): WebAssembly.ModuleImports {
   const none = (): number => 0;
   return { fd_close: none, fd_seek: none, fd_write: none };
@@ -35,7 +36,7 @@ function measureIn(memory: () => WebAssembly.Memory, measure: TextMeasure): WebA
   };
 }
 
-/** Starts the module. Call before all other functions of this folder. Throws Error if the browser refuses it. */
+/** Call before all other functions of this folder. Throws Error if the browser refuses the module. */
 export async function startLayoutModule(bytes: BufferSource, measure: TextMeasure = textMeasure()): Promise<void> {
   const { instance } = await WebAssembly.instantiate(bytes, {
     page: measureIn(() => exportsOf().memory, measure),

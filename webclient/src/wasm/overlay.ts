@@ -16,7 +16,7 @@ export interface Box {
 /** CSS color. */
 export type Ink = string;
 
-/** Background behind a text. It extends `edge` pixels beyond the box. */
+/** Background behind a text. The plate extends `edge` pixels beyond the box on each side. */
 export interface Plate {
   box: Box;
   edge: number;
@@ -48,13 +48,13 @@ export interface Label {
   box: Box;
 }
 
-/** Box over which the page places a field or buttons. `id` names the part in the box, such as "legend 0 low". */
+/** Box over which the page places a field or buttons. `id` names the content of the box, such as "legend 0 low". */
 export interface Handle {
   id: string;
   box: Box;
 }
 
-/** A flat drawing. Its parts are painted in the order of the members. */
+/** A two-dimensional drawing. The members are painted in their order here. */
 export interface Overlay {
   plates: Plate[];
   fills: Fill[];
@@ -158,7 +158,7 @@ export interface LegendText {
   scale: ScaleInBytes;
   /** Name of the layers that use the scale. Empty if the array has only one legend. */
   layers: string;
-  /** Whether some colored parts have no value. The legend then shows the color of missing values. */
+  /** Whether places of the colored layers have no value. The legend then shows the color of missing values. */
   missing: boolean;
   /** Whether both ends have a number even if the range has no width. Otherwise such a range has one number. */
   bothEnds: boolean;

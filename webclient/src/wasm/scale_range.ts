@@ -14,9 +14,9 @@ const ends = (results: ResultReader): Range => [results.number(), results.number
 /** `data`: range of the array at the shown time step. */
 export const rangeOf = (coloring: Coloring, data: Range): Range => ends(call("range_of", choiceItem(coloring), data));
 
-/** Returns the part of a range that a logarithmic scale covers, or any valid range if no part is above zero. */
+/** Returns the range limited to values that a logarithmic scale can show, or any valid range if there are none. */
 export const rangeAboveZero = (range: Range): Range => ends(call("range_above_zero", range));
 
-/** False for a logarithmic scale without an explicit range, if no data value is above zero. */
+/** Returns false for a logarithmic scale that takes its range from the data, if no data value is above zero. */
 export const isShownBy = (coloring: Coloring, data: Range): boolean =>
   call("is_shown_by", choiceItem(coloring), data).number() !== 0;

@@ -13,12 +13,13 @@ namespace ciel::python {
 
 namespace py = pybind11;
 
-// The view does not own the array. `name`: for error messages. Throws ValueError unless the array has one or two
-// dimensions, and TypeError for a number type that the kernel does not read.
+// Returns a view of `array`, which must outlive the view. `name`: for error messages. Throws ValueError unless the
+// array has one or two dimensions, and TypeError for a number type that the kernel does not read.
 [[nodiscard]] ArrayView view_of(const py::array& array, const char* name);
-[[nodiscard]] ArrayView view_of(const std::optional<py::array>& array, const char* name); // empty for nullopt
+[[nodiscard]] ArrayView view_of(const std::optional<py::array>& array, const char* name); // nullopt: an empty view
 
-// Returns a NumPy array with `columns` numbers in each row. The array owns the vector: an rvalue is moved, not copied.
+// Returns a NumPy array with `columns` numbers in each row. The array owns the vector, which is moved from an rvalue or
+// copied from an lvalue.
 template <class Number, class Owner>
 py::array_t<Number> array_of(Owner&& values, std::size_t columns) {
     using Vector = std::decay_t<Owner>;
@@ -32,7 +33,7 @@ py::array_t<Number> array_of(Owner&& values, std::size_t columns) {
 }
 
 // Returns a read-only NumPy array of the numbers in `values`, without a copy. `owner`: the Python object that contains
-// the vector; the array keeps it alive. The object must not change the vector.
+// the vector. The array keeps `owner` alive, and `owner` must not change the vector.
 template <class Number, class Owned>
 py::array_t<Number> view_in(const py::object& owner, const std::vector<Owned>& values, std::size_t columns) {
     static_assert(sizeof(Owned) % sizeof(Number) == 0);
@@ -46,8 +47,8 @@ py::array_t<Number> view_in(const py::object& owner, const std::vector<Owned>& v
     return view;
 }
 
-// Returns indices as int32, because VTK takes no unsigned ones. `owner`: see view_in. Throws OverflowError for an index
-// of 2^31 or more. `most`: upper bound of the indices.
+// Returns indices as int32, because VTK takes no unsigned integers. `owner`: see view_in. `most`: upper bound of the
+// indices. Throws OverflowError if `most` exceeds 2^31 - 1.
 [[nodiscard]] py::array_t<std::int32_t> indices_in(const py::object& owner, const std::vector<Index>& indices,
                                                    std::size_t most, std::size_t columns = 1);
 

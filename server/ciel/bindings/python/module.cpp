@@ -1,5 +1,6 @@
-// Python bindings of the kernel: ciel_mesh._kernel. The kernel reads NumPy arrays without a copy, except in
-// contour_lines, which converts values to float64. The bindings release the GIL while the kernel works.
+// Python bindings of the kernel: ciel_mesh._kernel. The bindings pass NumPy arrays to the kernel without a copy.
+// Exception: contour_lines copies values that are not a contiguous float64 array. The bindings release the GIL while
+// the kernel works.
 #include "module.hpp"
 
 PYBIND11_MODULE(_kernel, module) {

@@ -6,7 +6,8 @@
 
 namespace ciel::python {
 
-// A surface for Python. It does not change, because NumPy arrays refer to its vectors. `origin` is added to positions.
+// A surface for Python. The surface must not change, because NumPy arrays refer to its vectors. `origin` is added to
+// positions.
 struct PySurface {
     Surface surface;
     Vec3d origin{};
@@ -22,7 +23,7 @@ struct PySurface {
     return {std::move(surface), mesh.stored().surface_origin};
 }
 
-// Makes a field. `values`: one for each point of the mesh; with `of_cells`, one for each cell.
+// `values`: one for each point of the mesh; with `of_cells`, one for each cell.
 [[nodiscard]] inline Field field_of(const Mesh& mesh, const ArrayView& values, bool of_cells) {
     return of_cells ? Field::from_cells(mesh, values) : Field(mesh, values);
 }

@@ -14,7 +14,8 @@ namespace ciel::python {
 
 [[nodiscard]] std::string with_options_text(const char* text);
 
-// Returns a function like `f` that takes each option as a parameter instead of an Options object.
+// Returns a function like `f`. Instead of an Options object, the function has one parameter for each option, after the
+// other parameters.
 template <class Result, class... Args>
 [[nodiscard]] auto with_options(Result (*f)(const Options&, Args...)) {
     return [f](Args... args, const std::string& algorithm, const std::string& decider,
@@ -25,7 +26,7 @@ template <class Result, class... Args>
     };
 }
 
-// `define` passes its arguments to pybind11's def().
+// Calls `define` with a py::arg for each option; `define` must pass these arguments to pybind11's def().
 template <class Define>
 void with_option_keywords(const Define& define) {
     define(py::arg("algorithm") = "signatures", py::arg("decider") = "isolate-high", py::arg("normals") = "gradient",

@@ -1,5 +1,5 @@
-// First half of the paper's Algorithm 5 (appendix A): matches the faces of polyhedra that are given as lists of faces.
-// Topology (topology.hpp) does the second half: it builds the half-edges of each block.
+// First half of the paper's Algorithm 5 (appendix A): finds the two cells of each face of a mesh. The cells are given
+// as lists of faces. The second half is Topology (topology.hpp), which builds the half-edges.
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -13,9 +13,10 @@ namespace ciel {
 
 // Cells as lists of faces, and faces as loops of vertex ids. Standard cells may list their corners instead, which takes
 // less memory. V: number of vertices, C: number of cells, F: number of listed faces. Does not own the arrays.
-// Each face belongs to one cell, in any winding. A face between two cells is listed twice, once for each cell.
-// Collapsed cells are allowed: a loop may repeat vertex ids, and a face may have collapsed to a line or a point. A cell
-// is closed when each half-edge between distinct vertices has a half-edge in the opposite direction.
+// A listed face belongs to one cell and may have any winding. A face between two cells is listed twice, once for each
+// cell. Collapsed cells are allowed: a loop may repeat vertex ids, and a face may have collapsed to a line or a point.
+// A cell is closed when each of its half-edges between distinct vertices has a half-edge of the cell in the opposite
+// direction.
 // A face with fewer than three vertices is ignored. The other faces of the cell decide whether the cell is kept.
 struct PolyhedraView {
     Vec3d origin{};
@@ -31,8 +32,8 @@ struct PolyhedraView {
     std::span<const Index> corner = {}; // vertices, in VTK's order of the corners
 };
 
-// Cells that assemble() left out for one reason. The faces between these cells and other cells become boundary faces.
-// Exception: faces of a repeated cell stay matched with the first copy of the cell.
+// Cells that assemble() left out for one reason. A face between such a cell and a kept cell becomes a boundary face.
+// Exception: the neighbors of a repeated cell are matched with the first copy of the cell.
 struct BadCells {
     enum class Reason : std::uint8_t {
         open,
@@ -50,15 +51,15 @@ struct BadCells {
 struct AssembleReport {
     std::vector<BadCells> bad_cells;  // one entry for each reason that occurred
     std::uint64_t reversed_cells = 0; // cells of which all faces were reversed to point outwards
-    // Faces that were reversed in cells of which only some faces were reversed.
+    // Number of reversed faces in cells that also have faces that were not reversed.
     std::uint64_t reversed_faces = 0;
     // Number of faces inside the mesh that were left unmatched, and so became boundary faces. Such a face has three or
     // more cells, or its two cells cannot be wound consistently.
     std::uint64_t internal_boundaries = 0;
     std::uint64_t short_faces = 0;  // faces with fewer than three vertices in cells that are kept
     std::vector<Index> first_short; // input ids of the first 10 cells with short faces
-    // Cells that are kept with a negative volume (folded curvilinear grids). With a positive volume, their winding
-    // would contradict the winding of their neighbors.
+    // Cells that are kept with a negative volume, for example in folded curvilinear grids. If such a cell were
+    // reversed, its winding would contradict the winding of its neighbors.
     std::uint64_t inverted_cells = 0;
     std::vector<Index> first_inverted; // input ids of the first 10 inverted cells
 };
@@ -67,7 +68,7 @@ struct Assembled {
     // Cells are in the order of a space-filling (Hilbert) curve. Faces are sorted by (owner, neighbour). Vertices are
     // in the order of their first use in the faces.
     FaceMesh mesh;
-    std::vector<Index> original_vertex; // stored vertex -> input vertex; without unused input vertices
+    std::vector<Index> original_vertex; // stored vertex -> input vertex; unused vertices are left out
     std::vector<Index> original_cell;   // stored cell -> input cell
     AssembleReport report;
 };

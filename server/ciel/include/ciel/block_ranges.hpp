@@ -1,6 +1,6 @@
-// BlockRanges: [min, max] of a field in each block of a topology. With these ranges a field can be made without reading
-// a block, and a cut at nu reads only blocks whose range contains nu. Not in the paper, which has sorted minima for the
-// whole mesh instead (section 2.2).
+// BlockRanges: [min, max] of a field in each block of a topology. With stored ranges, a field can be made without
+// reading a block. An iso-surface reads only the blocks whose range contains the iso-value. Not in the paper, which has
+// sorted minima for the whole mesh instead (section 2.2).
 #pragma once
 
 #include "ciel/topology.hpp"
@@ -13,8 +13,8 @@
 
 namespace ciel {
 
-// Each array has one entry for each block. A range covers all vertices of the block, including those that other blocks
-// have too.
+// Each array has one entry for each block. A range covers all vertices of the block, including vertices that other
+// blocks share.
 struct BlockRanges {
     std::vector<double> low, high;      // of the finite values; low > high if there are none
     std::vector<std::uint32_t> missing; // number of vertices whose value is NaN or infinite

@@ -1,5 +1,6 @@
-// Reads the vertices and cells of faces, and computes their centers and areas. Not in the paper. All functions: any
-// thread. For functions that read positions, the caller must have loaded these (FaceMeshView::loader).
+// Reads the vertices and cells of faces, and computes their centers and areas. Not in the paper. Any thread may call
+// the functions. Before a call of a function that reads positions, the caller must load the positions
+// (FaceMeshView::loader).
 #pragma once
 
 #include "ciel/face_mesh.hpp"
@@ -21,8 +22,9 @@ namespace ciel {
             static_cast<float>(at[2] + shift[2])};
 }
 
-// Sets `loop` to the vertex ids of a face. Reads each id once, because another process may change a mapped file at any
-// time. read_loop and read_cells throw Error when an index that they read is out of range. REQUIRES: the face exists.
+// Sets `loop` to the vertex ids of a face. Reads each id only once, because another process may change an id in a
+// mapped file between two reads. read_loop and read_cells throw Error when an index that they read is out of range.
+// REQUIRES: the face exists.
 void read_loop(const FaceMeshView& mesh, Index face, std::vector<Index>& loop);
 
 struct FaceCells {

@@ -13,8 +13,8 @@ namespace ciel {
 // origin.
 using OnCell = std::function<void(Index cell, std::span<const FaceShape> faces, const Vec3d& centre)>;
 
-// Call visit(cell, faces, centre) for each cell. Several threads may call it at the same time, for different cells;
-// `faces` is valid only during the call. Keep the shapes of no other cells. `points`: the positions of the mesh's
+// Call visit(cell, faces, centre) for each cell. Several threads may call `visit` at the same time, for different
+// cells. `faces` is valid only during the call, because shapes are not kept. `points`: the positions of the mesh's
 // vertices; must be loaded. Use all threads of parallel_for. Throw Error when `points` has another number of vertices,
 // or when a record is damaged.
 void for_cell_shapes(const MatchedCells& cells, const FaceMeshView& points, const OnCell& visit);

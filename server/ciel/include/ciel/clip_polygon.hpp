@@ -9,9 +9,9 @@
 
 namespace ciel {
 
-// Walks around the polygon `corners`, in the same winding. Calls keep(a) for each corner with keeps(a), and cross(a, b)
-// for each side from a to b of which only one end is kept. `corners` may also be a line segment (two corners) or a
-// single point.
+// Walks around the polygon `corners`, in the same winding. Calls keep(a) for each corner a for which keeps(a) is true,
+// and cross(a, b) for each side from a to b of which only one end is kept. `corners` may also be a line segment (two
+// corners) or a single point.
 template <class Corner, class Keeps, class Keep, class Cross>
 void walk_kept_part(std::span<const Corner> corners, const Keeps& keeps, const Keep& keep, const Cross& cross) {
     for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -28,9 +28,10 @@ struct Options {
     unsigned threads = 0;
 };
 
-// Extracts iso-surfaces of one field incrementally: a block is cut again only if a new level changes which points of
-// the block are high. Shares ownership of the field and its mesh. Not thread-safe. The constructor throws Error for a
-// field that was not made from a Mesh, and when a block of Options::blocks does not exist.
+// Extracts iso-surfaces of one field incrementally: a block of cells is cut again only if the new level changes which
+// points of the block are high (value >= level). Shares ownership of the field and its mesh. Not thread-safe. The
+// constructor throws Error for a field that was not made from a Mesh, and when a block of Options::blocks does not
+// exist.
 class Contour {
 public:
     explicit Contour(const Field& field, const Options& options = {});
@@ -41,12 +42,13 @@ public:
     // Replaces the field, for example by another array or time step. The mesh of `field` must be the mesh of the old
     // field, or a mesh made from that mesh with Mesh::moved; throws Error for any other mesh. The topology is reused.
     void set(const Field& field);
-    // Writes the surface at `level` to `out` and reuses the buffers of `out`. A point is high when value >= level.
-    // Returns false when `stop` was requested; `out` is then unspecified, and the Contour stays usable. Throws Error
-    // when a stored record, value or position cannot be read.
+    // Writes the surface at `level` to `out` and reuses the buffers of `out`. Returns false when `stop` was requested;
+    // `out` is then unspecified, and the Contour stays usable. Throws Error when a stored record, value or position
+    // cannot be read.
     bool at(double level, Surface& out, const StopToken& stop = {});
 
-    // Returns the size in bytes of what is kept for the next level, without the mesh, the field and its gradients.
+    // Returns the size in bytes of the data that is kept for the next level, without the mesh, the field and its
+    // gradients.
     [[nodiscard]] std::size_t memory_bytes() const;
 
 private:
@@ -66,10 +68,10 @@ private:
 [[nodiscard]] Surface slice(const Mesh& mesh, const Vec3d& origin, const Vec3d& normal, const Options& options = {});
 
 // Cuts the mesh at all levels in one pass over the blocks, without making a Surface. Calls `on_cut` with the cut of
-// each block at each level; OnCut describes the order and the threads of the calls. Ids in the cuts are the caller's,
-// and cell_begin is 0. Ignores Options::normals, because cuts have no normals. Returns false when `stop` was requested;
-// some cuts are then missing. Throws Error when Options::blocks is set, when `values` has a wrong size, and for a field
-// that was not made from a Mesh.
+// each block at each level; OnCut describes the order and the threads of the calls. The cuts have the caller's ids, and
+// BlockPolygons::cell_begin is 0. Ignores Options::normals, because cuts have no normals. Returns false when `stop` was
+// requested; some cuts are then missing. Throws Error when Options::blocks is set, when `values` has a wrong size, and
+// for a field that was not made from a Mesh.
 bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_cut, const Options& options = {},
            const StopToken& stop = {});
 bool sweep(const Mesh& mesh, const ArrayView& values, std::span<const double> levels, const OnCut& on_cut,
@@ -79,16 +81,16 @@ bool sweep(const Mesh& mesh, const ArrayView& values, std::span<const double> le
 // for each point of the mesh, or empty; the result has the values interpolated at its vertices. `slack`: points at most
 // this far outside a plane are kept, so that rounding does not tear a surface that lies in the plane; in the unit of
 // HalfSpace::offset, which is a length if the normal has length 1. New vertices of the result lie on no edge of the
-// mesh. Therefore interpolate, and clip with `values`, throw Error for a clipped surface. Throws Error when `values`
-// has a wrong size.
+// mesh. Therefore interpolate, and clip with `values`, throw Error for a surface with such vertices. Throws Error when
+// `values` has a wrong size.
 [[nodiscard]] ClippedSurface clip(const Surface& surface, const Mesh& mesh, const ArrayView& values,
                                   std::span<const HalfSpace> planes, double slack = 0);
 
 // Interpolates `values` at the points of the surface. `values`: one row for each point of the mesh. With `of_cells`,
-// one row for each cell; each point then gets the mean of the cells around it (Field::from_cells). Returns one row of
-// the same width for each point of the surface, row by row. If `values` are the points of the mesh, the result is the
-// positions of the surface's points in double precision. Throws Error when the number of rows is wrong, and for a
-// clipped surface.
+// one row for each cell; each point of the mesh then gets a weighted mean of the cells around the point
+// (Field::from_cells). Returns one row of the same width for each point of the surface, row by row. If `values` are the
+// points of the mesh, the result is the positions of the surface's points in double precision. Throws Error when the
+// number of rows is wrong, and for a surface to which `clip` added vertices.
 [[nodiscard]] std::vector<double> interpolate(const Surface& surface, const Mesh& mesh, const ArrayView& values,
                                               bool of_cells = false);
 

@@ -13,8 +13,8 @@
 
 namespace ciel {
 
-// A vertex of a surface. It lies on a mesh edge. The position, and the value of any array, is lerp(at a, at b, t). In a
-// surface of a Query, a < b.
+// A vertex of a surface. The vertex lies on a mesh edge. Its position is lerp(position of a, position of b, t); values
+// of arrays are interpolated in the same way. In a surface of a Query, a < b.
 struct EdgePoint {
     Index a, b; // the two ends of the edge; equal if the point is a mesh vertex
     double t;   // 0 at a, 1 at b
@@ -43,11 +43,12 @@ struct Surface {
     std::vector<Index> polygon_offset{0};
     std::vector<Index> polygon_vertex;
     std::vector<Index> polygon_cell; // P: the mesh cell that contains the polygon
-    // P for a surface made of mesh faces: index of the face in its FaceMeshView, or none. Otherwise empty.
+    // P for a surface made of mesh faces: index of the face in a FaceMeshView; `none` if the view does not have the
+    // face. Empty for other surfaces.
     std::vector<Index> polygon_face;
 
     // Consecutive polygons that are streamed and culled together. In a surface of a Query, these are the polygons of
-    // one block. In other surfaces, `block` is only a number of the chunk.
+    // one block. In other surfaces, `block` is the number of the chunk.
     struct Chunk {
         Index block, polygon_begin, polygon_end;
     };
@@ -102,14 +103,15 @@ public:
     void set_mesh(const FaceMeshView& mesh);
 
     // Limits the next extractions to these blocks, in any order; nullopt: all blocks (the default). The surface then
-    // has only the polygons in these blocks, and their points. Each has the same bits as in the surface of all blocks.
-    // Exception: normals from polygons may differ, because polygons of other blocks are not summed. Without normals,
-    // only the cell records of these blocks are read. The propagation algorithm may read others too.
+    // has only the polygons in these blocks and the points of these polygons, with the same bits as in the surface of
+    // all blocks. Exception: normals from polygons may differ, because polygons of other blocks are not summed. If no
+    // normals are requested, only the cell records of these blocks are read. The propagation algorithm may also read
+    // records of other blocks.
     // Throws Error when a block does not exist.
     void set_blocks(std::optional<std::span<const Index>> blocks);
 
     // Writes the iso-surface at `nu` to `out` and reuses the buffers of `out`. Cells with a vertex whose value is NaN
-    // or infinite are not cut. `normals`: whether to make normals, of the kind of set_normals. Returns false when
+    // or infinite are not cut. `normals`: whether to make normals; set_normals chooses the kind. Returns false when
     // `stop` was requested; `out` is then unspecified, and the Query stays usable. Throws Error when no field is set,
     // and when a record, a value or a position cannot be read. Uses all threads of parallel_for.
     bool extract(double nu, bool normals, Surface& out, const StopToken& stop = {});
@@ -128,7 +130,7 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
                     const std::function<void(double nu, Surface&&)>& sink, const StopToken& stop = {});
 
 // Interpolates an array at each point of a surface. `values`: `components` numbers for each mesh vertex, interleaved.
-// REQUIRES: `values` has the vertices that `points` name.
+// REQUIRES: `values` has entries for all vertices in `points`.
 // `out` gets `components` numbers for each point. Throws Error when `out` has another size, or when components < 1.
 // Uses all threads of parallel_for.
 void interpolate(std::span<const EdgePoint> points, std::span<const float> values, int components,

@@ -1,6 +1,6 @@
 // FaceMesh: a mesh as a list of faces, each with an owner cell and a neighbor cell. The import makes a FaceMesh, and
-// Topology is built from it. A FaceMesh is the input of Algorithm 5 (paper, appendix A) after the faces have been
-// matched.
+// Topology is built from it. A FaceMesh is the result of the first half of the paper's Algorithm 5 (appendix A), which
+// finds the two cells of each face.
 #pragma once
 
 #include "ciel/checked_array.hpp"
@@ -20,7 +20,8 @@ namespace ciel {
 // A face between two cells is stored once. The right-hand normal of its loop points out of `owner` into `neighbour`.
 // owner < neighbour; on the boundary, `neighbour` is `none`. A loop may repeat vertex ids (collapsed cells).
 // Cells are in the order of a space-filling curve. Faces are sorted by owner. Vertices are in the order of their first
-// use in the faces; unused vertices are last. Faces from numbered_faces.hpp may have another order.
+// use in the faces; unused vertices are last. Views with the faces of numbered_faces.hpp may have another order of
+// faces.
 // Each index is checked when it is read, because the arrays may be in a mapped file. Positions and types are not
 // checked, because any value is harmless.
 struct FaceMeshView {
@@ -34,7 +35,7 @@ struct FaceMeshView {
     Ids face_vertex;                          // vertex ids, loop by loop
     Ids owner;                                // F: cell id
     OptionalIds neighbour;                    // F: cell id, or none on the boundary
-    std::shared_ptr<const void> keep_alive{}; // owns the arrays and the loader; null in a view for one call
+    std::shared_ptr<const void> keep_alive{}; // owns the arrays and the loader; null in a view without an owner
     // Null if all positions are ready to be read. Otherwise extraction, slices, gradients, CellLocator, face_surface,
     // threshold_surface, vertices_of_cells, boundary_faces_at and size_of_faces load the positions that they use.
     // Before a call of any other function, the caller must call loader->load for all vertices.
@@ -43,7 +44,7 @@ struct FaceMeshView {
     [[nodiscard]] Index vertex_count() const { return static_cast<Index>(positions.size() / 3); }
     [[nodiscard]] Index cell_count() const { return static_cast<Index>(cell_types.size()); }
     [[nodiscard]] Index face_count() const { return static_cast<Index>(owner.size()); }
-    // Returns the difference between two offsets of a position: from surface_origin, and from origin.
+    // Returns the vector that converts an offset from `origin` to an offset from `surface_origin` when it is added.
     [[nodiscard]] Vec3d surface_shift() const {
         return {origin[0] - surface_origin[0], origin[1] - surface_origin[1], origin[2] - surface_origin[2]};
     }

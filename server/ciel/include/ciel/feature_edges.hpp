@@ -8,7 +8,7 @@ namespace ciel {
 
 // Returns two vertex indices for each edge, the lower index first, in ascending order. An edge is included if it does
 // not belong to exactly two polygons, or if the normals of its two polygons differ by more than `degrees`. A polygon
-// without area has no normal; its edges are not compared.
+// without area has no normal, so angles at its edges are not tested.
 [[nodiscard]] std::vector<Index> feature_edges(const Surface& surface, double degrees);
 
 } // namespace ciel

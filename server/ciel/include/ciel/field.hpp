@@ -1,5 +1,5 @@
-// Field: a scalar field on the vertices of a mesh. Has [min, max] for each block, and caches extrema and gradients
-// (paper: slices, section 2.1; minima, section 2.2; gradients, section 3).
+// Field: a scalar field on the vertices of a mesh. A field has [min, max] for each block, and caches extrema and
+// gradients (paper: slices, section 2.1; minima, section 2.2; gradients, section 3).
 #pragma once
 
 #include "ciel/array_view.hpp"
@@ -22,9 +22,9 @@ class GeometricVertices; // geometric_vertices.hpp
 class Field {
 public:
     // Makes a field from one number for each point of the mesh, in the caller's order. Copies the numbers: 8-bit
-    // integers and 32-bit floats as floats, all other numbers as doubles. NaN and infinities mean "no value". A cell
-    // with a point without a value is not cut and does not contribute to gradients. Keeps the mesh alive. Throws Error
-    // when `values` has another size.
+    // integers and 32-bit floats as floats, all other numbers as doubles. NaN and infinities mean "no value". If a
+    // point of a cell has no value, the cell is not cut and does not contribute to gradients. Keeps the mesh alive.
+    // Throws Error when `values` has another size.
     Field(const Mesh& mesh, const ArrayView& values);
     // Makes a field from one number for each cell, in the caller's order. A point gets a weighted mean of the cells
     // around the point (point_interpolation.hpp). The mean is exact for linear fields if the cells surround the point.
@@ -69,8 +69,9 @@ public:
     // valid while the field lives.
     [[nodiscard]] std::span<const Index> sorted_minima() const;
 
-    // Declares that the values are plane_distance(mesh, origin, normal), for any origin, on the mesh of `where`. Then
-    // only the vertices that `where` finds are tested for extrema. Call it before any other use of the field.
+    // Declares that the values are plane_distance(mesh, origin, normal), for any origin, on the mesh of `where`. The
+    // search for extrema then tests only the vertices that `where` finds, unless distances are too large
+    // (Found::largest_distance). Call it before any other use of the field.
     void set_direction(std::shared_ptr<const GeometricVertices> where, Vec3d normal);
 
     // Copies the values of all blocks into block order: block by block, all vertices of each block. Without this call,
@@ -109,10 +110,10 @@ private:
 [[nodiscard]] std::vector<Vec3f> vertex_gradients(const Topology& topology, const FaceMeshView& mesh,
                                                   ValuesView values);
 
-// Returns the number of faces that are ambiguous for some nu (paper, section 4): the loop of such a face has more than
-// one local maximum under the order (value, vertex id). Faces with a vertex that has no value are not counted.
-// `boundary`: the mesh, or only the boundary faces of the mesh. Reads the cell records of all blocks. Throws Error when
-// `values` has another size.
+// Returns the number of faces that are ambiguous for some iso-value (paper, section 4): the loop of such a face has
+// more than one local maximum under the order (value, vertex id). Faces with a vertex that has no value are not
+// counted. `boundary`: the mesh, or only the boundary faces of the mesh. Reads the cell records of all blocks. Throws
+// Error when `values` has another size.
 [[nodiscard]] std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView& boundary,
                                                   ValuesView values);
 

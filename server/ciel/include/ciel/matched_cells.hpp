@@ -1,5 +1,5 @@
-// MatchedCells: the cells of a mesh in stored order, with matched faces, but without a list of faces. An import writes
-// a large mesh from it block by block. First half of the paper's Algorithm 5 (appendix A).
+// MatchedCells: the cells of a mesh in stored order, with matched faces, but without a list of faces. An import uses
+// MatchedCells to write a large mesh block by block. First half of the paper's Algorithm 5 (appendix A).
 #pragma once
 
 #include "ciel/assemble.hpp"
@@ -12,9 +12,9 @@ namespace ciel {
 // Cells, faces and vertices have the order of Assembled. Immutable after construction and thread-safe.
 class MatchedCells {
 public:
-    // `owner` owns the arrays of `input`; the object keeps it alive. Throws Error without an owner, and when an array
-    // has a wrong size or a cell type is unknown. A bad cell does not throw; it is left out and counted in the report.
-    // Uses all threads of parallel_for.
+    // `owner` owns the arrays of `input`; MatchedCells keeps `owner` alive. Throws Error when `owner` is null, and when
+    // an array has a wrong size or a cell type is unknown. A bad cell does not throw; it is left out and counted in the
+    // report. Uses all threads of parallel_for.
     MatchedCells(const PolyhedraView& input, std::shared_ptr<const void> owner);
     ~MatchedCells();
     MatchedCells(MatchedCells&&) noexcept;

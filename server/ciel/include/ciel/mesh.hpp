@@ -11,13 +11,13 @@
 
 namespace ciel {
 
-// What was left out, changed or copied when a Mesh was made. Ids are the caller's ids.
+// Reports what was left out, changed or copied when a Mesh was made. Ids are the caller's ids.
 struct MeshReport {
     AssembleReport assembled;        // bad, reversed and inverted cells
     std::uint64_t skipped_cells = 0; // points, lines and surfaces, which were left out
     std::uint64_t reduced_cells = 0; // quadratic and higher-order cells, reduced to their corners
-    // Size of the lists that were made of the caller's arrays to build the mesh, and of the positions that moved()
-    // stored. The lists are freed; the built mesh does not count.
+    // Bytes of the temporary lists into which the caller's arrays were copied, and of the positions that moved()
+    // stored. The lists are freed after the mesh is built. Other data of the built mesh is not counted.
     std::uint64_t bytes_copied = 0;
 };
 
@@ -71,14 +71,14 @@ public:
     [[nodiscard]] std::size_t point_count() const; // points in the caller's arrays
     [[nodiscard]] std::size_t cell_count() const;  // cells in the caller's arrays, including those left out
     [[nodiscard]] const MeshReport& report() const;
-    // Return the structure and the arrays of this mesh. Copies of them may be kept without the mesh.
+    // Return the topology and the arrays of this mesh. Copies of both may outlive the mesh.
     [[nodiscard]] const Topology& topology() const;
     [[nodiscard]] const FaceMeshView& stored() const;
     // Returns the CellFits that all fields on this mesh share.
     [[nodiscard]] const std::shared_ptr<CellFits>& cell_fits() const;
 
     // Return the caller's id of each stored vertex, and of each stored cell. Empty in a mesh made by from_stored, where
-    // both ids are equal.
+    // stored ids are the caller's ids.
     [[nodiscard]] std::span<const Index> original_vertex() const;
     [[nodiscard]] std::span<const Index> original_cell() const;
 

@@ -1,4 +1,4 @@
-// Faces of a mesh, selected by cell, by id or by vertex, and their size. Not in the paper. Any thread may call the
+// Selects faces of a mesh by cell, by id or by vertex, and measures faces. Not in the paper. Any thread may call the
 // functions. The results own their data. The functions throw Error when an index that they read from the mesh is out of
 // range. REQUIRES: face ids from the caller exist, and `kept` has one flag for each cell or is empty.
 #pragma once

@@ -11,7 +11,8 @@
 namespace ciel {
 
 // Returns the calling thread's object of the type T. The first call of a thread makes the object; it is destroyed when
-// the thread ends. Callers that must not share an object need types of their own. Throws std::bad_alloc.
+// the thread ends. Two callers with the same T get the same object; use a separate type for a separate object. Throws
+// std::bad_alloc.
 template <class T>
 [[nodiscard]] T& of_this_thread() {
 #if defined(__wasm__)

@@ -37,7 +37,7 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body);
 void run_with_threads(unsigned threads, const std::function<void()>& call);
 
 // Calls call(). The loops in this call use at most `threads` threads, including the calling thread; 0: no limit. If the
-// body of a limited loop starts another loop, that loop runs on the thread of the body alone. Rethrows what call()
+// body of a limited loop starts an inner loop, the inner loop runs only on the body's thread. Rethrows what call()
 // throws.
 template <class Call>
 void with_threads(unsigned threads, const Call& call) {

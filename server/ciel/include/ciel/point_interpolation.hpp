@@ -20,12 +20,14 @@ public:
     // other faces are ignored.
     PointInterpolation(const Topology& topology, const FaceMeshView& boundary);
 
-    // Converts cell values to point values. `cell_values`: `components` interleaved values for each cell. REQUIRES: it
-    // has all cells, and components >= 1. Returns `components` interleaved values for each vertex. A mean leaves out
-    // values that are not finite. A vertex without any finite value gets NaN. Uses all threads of parallel_for.
+    // Converts cell values to point values. `cell_values`: `components` interleaved values for each cell. REQUIRES:
+    // `cell_values` has values for all cells, and components >= 1. Returns `components` interleaved values for each
+    // vertex. A mean leaves out values that are not finite. A vertex without any finite value gets NaN. Uses all
+    // threads of parallel_for.
     [[nodiscard]] std::vector<float> apply(std::span<const float> cell_values, int components) const;
     [[nodiscard]] std::vector<double> apply(std::span<const double> cell_values, int components) const;
-    // The same into memory of the caller. Throws Error if `points` has not `components` values for each vertex.
+    // Like apply(), but writes the point values to `points`. Throws Error unless `points` has `components` values for
+    // each vertex.
     template <class T> // float or double
     void apply_into(std::span<const T> cell_values, int components, std::span<T> points) const;
 

@@ -11,14 +11,14 @@
 
 namespace ciel {
 
-// Throws Error unless `found` equals `wanted`. `what`: describes the entries of the array in the message.
+// Throws Error unless `found` equals `wanted`. `what`: names the entries of the array in the message.
 inline void require_size(std::size_t found, std::uint64_t wanted, const char* what) {
     if (found != wanted)
         fail("an array of a sink must have " + std::to_string(wanted) + " " + what + "; it has " +
              std::to_string(found));
 }
 
-// Sets an array of `out` to those of the pieces, one after the other. array(piece): the array, as a reference.
+// Sets an array of `out` to the concatenated arrays of the pieces. array(piece) returns a reference to the array.
 template <class Piece, class Array>
 void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) {
     auto& to = std::invoke(array, out);
@@ -33,7 +33,7 @@ void join_arrays(std::span<const Piece* const> pieces, Array array, Piece& out) 
 }
 
 // Sets out.triangles to the triangles of the pieces. Adds to the indices of each piece the number of points in the
-// pieces before it. points(piece): its points.
+// pieces before it. points(piece) returns the points of the piece.
 template <class Piece, class Points>
 void join_triangles(std::span<const Piece* const> pieces, Points points, Piece& out) {
     std::size_t corners = 0;

@@ -1,6 +1,6 @@
-// sweep: cuts a mesh at several values in one pass over the blocks (paper, algorithms 1 and 3). The cells of a block
-// are loaded into the processor's cache once, and cut at every value in the block's range. Cuts of different blocks
-// share no points. sweep_sinks.hpp makes slices of a volume, triangle soups and polygon outlines from the cuts.
+// sweep: cuts a mesh at several values in one pass over the blocks (paper, algorithms 1 and 3). A block of cells is
+// loaded into the processor's cache once, and cut at every value in the block's range. Cuts of different blocks share
+// no points. sweep_sinks.hpp makes slices of a volume, triangle soups and polygon outlines from the cuts.
 #pragma once
 
 #include "ciel/extract.hpp"
@@ -30,10 +30,10 @@ struct BlockPolygons {
     }
 };
 
-// Receives the cut of block `block` at values[value]. Is not called for a cut without polygons. Several threads may
-// call the function at the same time, but only for different blocks. For one block, the calls come in the order of
-// `values`; with Algorithm::propagation, in ascending order of the values. `cut` is valid only during the call. `sweep`
-// rethrows what the function throws.
+// Receives the cut of block `block` at values[value]. A cut without polygons causes no call. Several threads may call
+// the function at the same time, but only for different blocks. For one block, the calls come in the order of `values`;
+// with Algorithm::propagation, in ascending order of the values. `cut` is valid only during the call. `sweep` rethrows
+// what the function throws.
 using OnCut = std::function<void(std::size_t value, Index block, const BlockPolygons& cut)>;
 
 // Buffers of a sweep. If a sweep is repeated with the same object, it allocates no memory. The buffers never shrink.
@@ -49,7 +49,7 @@ struct SweepScratch {
 // the mesh belongs to another topology. Uses all threads of parallel_for.
 // All algorithms give cuts with the same bits. signatures: cuts each block at all values in the block's range.
 // propagation: moves the active edges from the least value to the greatest, starting at the field's minima (algorithm 1
-// as printed). At each value, it cuts the cells around the active edges. naive: visits every cell for every value.
+// as printed). At each value, the cells around the active edges are cut. naive: visits every cell for every value.
 // The points and polygons, also on ambiguous faces, are the same as those of a Query with the same decider.
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const OnCut& on_cut, SweepScratch& scratch, const StopToken& stop = {}, Extraction extraction = {});

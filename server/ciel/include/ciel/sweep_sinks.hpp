@@ -1,5 +1,5 @@
-// Sinks: convert the cuts of a sweep to indexed triangles, triangle soups or outlines. Callers may define other sinks.
-// (Paper, algorithm 3, which draws polygon by polygon.)
+// Sinks: convert the cuts of a sweep to indexed triangles, triangle soups or outlines (paper, algorithm 3, which draws
+// polygon by polygon). Callers may define other sinks.
 #pragma once
 
 #include "ciel/parallel.hpp"
@@ -14,7 +14,7 @@ namespace ciel {
 //     void write(const BlockPolygons& cut, Piece& piece) const;
 //     void join(std::span<const Piece* const> pieces, Out& out) const;
 // SliceSink writes a point once for each block that has the point's edge. Therefore the number of points depends on the
-// block size. The triangles do not depend on it.
+// block size. The number and shape of the triangles do not.
 
 // Sink for blended slices: a fan of indexed triangles for each polygon, and a property at the points.
 struct SliceSink {
@@ -92,7 +92,7 @@ bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& fiel
     return true;
 }
 
-// The same with temporary buffers, for a single sweep.
+// Like the function above, with temporary buffers for a single sweep.
 template <class Sink>
 bool sweep(const Topology& topology, const FaceMeshView& mesh, const Field& field, std::span<const double> values,
            const Sink& sink, std::vector<typename Sink::Out>& out, const StopToken& stop = {},

@@ -14,9 +14,9 @@ enum class InRange { all, any }; // whether all vertices of a cell must lie in t
 // `values` has another size. A cell without faces gets 0. Uses all threads of parallel_for.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const FaceMeshView& mesh, ValuesView values,
                                                        std::array<double, 2> range, InRange vertices);
-// Returns the same flags for the values of a field. Reads the blocks that have a vertex without a value, and the blocks
-// whose values lie partly inside and partly outside `range`. The flag of a cell without faces is unspecified. Uses all
-// threads of parallel_for.
+// Returns the same flags for the values of a field. Reads only the blocks that have a vertex without a value, and the
+// blocks whose range lies partly inside and partly outside `range`. The flag of a cell without faces is unspecified.
+// Uses all threads of parallel_for.
 [[nodiscard]] std::vector<std::uint8_t> cells_in_range(const Field& field, std::array<double, 2> range,
                                                        InRange vertices);
 // Returns the number of cells that have a vertex v with counts(values[v]) == true. `counts` must return false for
@@ -42,26 +42,26 @@ struct CellFace {
 // Error when an index of the mesh is out of range. REQUIRES: the faces exist.
 [[nodiscard]] Surface face_surface(const FaceMeshView& mesh, std::span<const CellFace> faces);
 
-// What becomes of faces of fewer than three distinct vertices. Collapsed cells have such faces.
+// Whether a surface has the faces of fewer than three distinct vertices, which collapsed cells have.
 enum class CollapsedFaces { leave_out, keep };
 
 // Returns the faces of threshold_faces as polygons: the surface around the kept cells.
 [[nodiscard]] inline Surface threshold_surface(const FaceMeshView& mesh, std::span<const std::uint8_t> kept) {
     return face_surface(mesh, threshold_faces(mesh, kept));
 }
-// Returns a surface of the same polygons, but does not need a list of all faces of the mesh. The polygons are the
+// Returns a surface of the same polygons, without the need for a list of all faces of the mesh. The polygons are the
 // boundary faces of kept cells, and then the faces inside the mesh, block by block. `boundary`: the boundary faces of
 // the mesh; faces between two cells are ignored. `boxes`: the result of block_boxes for the positions of the mesh.
 // polygon_face is the index of the face in `boundary`, or `none` for a face inside the mesh.
-// Reads the blocks that have both kept cells and other cells. Also reads a block that has only kept cells, if its box
-// touches the box of a block with a cell that is not kept. Uses all threads of parallel_for. Throws Error when the
-// arguments have other numbers of cells, vertices or blocks than the topology, and when a record is damaged.
+// Reads the blocks that have both kept cells and other cells. Also reads a block of only kept cells if the box of this
+// block touches the box of a block with a cell that is not kept. Uses all threads of parallel_for. Throws Error when
+// the arguments have other numbers of cells, vertices or blocks than the topology, and when a record is damaged.
 [[nodiscard]] Surface threshold_surface(const Topology& topology, const FaceMeshView& boundary, const BlockBoxes& boxes,
                                         std::span<const std::uint8_t> kept,
                                         CollapsedFaces collapsed = CollapsedFaces::leave_out);
 
 // Returns the polygons of `surface` whose cells are kept. `surface`: a cut through a mesh. `kept`: one flag for each
-// cell. Throws Error when a polygon's cell has no flag. Throws Error for the result of clip_surface, because new
+// cell. Throws Error when a polygon's cell has no flag. Also throws Error if clip_surface added vertices, because new
 // vertices have no entries in `points`; select cells before clipping.
 [[nodiscard]] Surface polygons_of_cells(const Surface& surface, std::span<const std::uint8_t> kept);
 

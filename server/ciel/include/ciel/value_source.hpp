@@ -1,6 +1,6 @@
-// ValueSource and VertexLoader: values and positions of vertices in a file. They are read when a block of cells needs
-// them. Therefore the cost of a surface depends on the blocks that the surface crosses, not on the size of the mesh.
-// Not in the paper, whose meshes are in memory.
+// ValueSource and VertexLoader: read values and positions of vertices from a file, for a block of cells when the block
+// is first used. Therefore the cost of a surface depends on the blocks that the surface crosses, not on the size of the
+// mesh. Not in the paper, whose meshes are in memory.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -42,9 +42,10 @@ public:
     virtual ~VertexLoader() = default;
 
     // Makes the positions of the vertices `begin` to `end` - 1 ready to be read. All these vertices exist. Throws Error
-    // when a position cannot be read. Any thread may call it at any time.
+    // when a position cannot be read. Any thread may call `load` at any time.
     virtual void load(Index begin, Index end) const = 0;
-    // Return and set whether the positions of all vertices of a block are ready. Any thread may call them.
+    // Return and set whether the positions of all vertices of a block are ready. The kernel sets this after it has
+    // loaded the positions, and then skips `load` for the block. Any thread may call both functions.
     [[nodiscard]] bool has_block(Index block) const { return has_block_[block].load(std::memory_order_acquire); }
     void set_has_block(Index block) const { has_block_[block].store(true, std::memory_order_release); }
 

@@ -19,7 +19,7 @@ class ValuesView {
 public:
     class Iterator {
     public:
-        using iterator_category = std::input_iterator_tag; // in C++17's terms, because operator* returns a value
+        using iterator_category = std::input_iterator_tag; // by C++17's rules, because operator* returns a value
         using iterator_concept = std::forward_iterator_tag;
         using value_type = double;
         using difference_type = std::ptrdiff_t;
@@ -104,8 +104,8 @@ private:
     });
 }
 
-// Returns value - origin, rounded to float, for each value. If `origin` is near the values, values that differ by
-// little remain different after the rounding.
+// Returns value - origin, rounded to float, for each value. If `origin` is near the values, small differences between
+// values survive the rounding.
 [[nodiscard]] inline std::vector<float> floats_from(double origin, ValuesView values) {
     std::vector<float> floats(values.size());
     for (std::size_t i = 0; i < floats.size(); ++i) floats[i] = static_cast<float>(values[i] - origin);

@@ -13,7 +13,6 @@ namespace ciel {
             static_cast<double>(to[2]) - from[2]};
 }
 
-// Accepts vectors of floats and of doubles.
 template <class A, class B>
 [[nodiscard]] inline double dot(const std::array<A, 3>& a, const std::array<B, 3>& b) {
     return static_cast<double>(a[0]) * b[0] + static_cast<double>(a[1]) * b[1] + static_cast<double>(a[2]) * b[2];

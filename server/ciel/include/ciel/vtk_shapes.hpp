@@ -1,5 +1,6 @@
-// VTK's cell types that have a volume and fixed faces, and these faces. VTK lists the corners of a cell before its
-// other points (VTK User's Guide, "Cell types"). Higher-order cells keep only their corners. Not in the paper.
+// VTK's cell types that have a volume and fixed faces, and the faces of these types. VTK lists the corners of a cell
+// before its other points (VTK User's Guide, "Cell types"). Of a higher-order cell, only the corners are used. Not in
+// the paper.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -13,7 +14,7 @@ namespace ciel {
 struct VtkShape {
     int vtk_type;              // VTK's number of the cell type
     CellType type;             // polyhedron: a prism over a polygon of corners / 2 points
-    std::uint8_t corners;      // the first points of the cell
+    std::uint8_t corners;      // number of corners; these are the first points of the cell
     std::uint8_t least_points; // a cell of this type with fewer points is damaged
     const char* reduced_from;  // plural name of higher-order cells, such as "quadratic wedges"; null for linear cells
 };

@@ -30,7 +30,8 @@ public:
         block.with([&](const auto& polyhedra) { add(block, polyhedra); });
     }
 
-    // Calls f(loop, owner, neighbor) for each face found, in ascending order of the owners.
+    // Calls f(loop, owner, neighbor) for each face that lies between two cells and whose owner is in the block, in
+    // ascending order of the owners.
     template <class F>
     void for_each(F&& f) const {
         std::vector<Index> order(owner_.size());
@@ -64,7 +65,8 @@ private:
             }
         }
     }
-    // Appends the two cells of the face to owner_ and neighbour_ if `cell` owns the face.
+    // Returns whether the face lies between two cells and `cell` is its owner, which is the cell with the lower id. If
+    // so, appends the two cells to owner_ and neighbour_.
     bool owns(Index cell, Index half_edge) {
         const HalfEdge mate = topology_.mate_polyhedron(half_edge_in(b_, half_edge));
         if (mate == no_half_edge) return false;

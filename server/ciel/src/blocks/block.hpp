@@ -1,6 +1,6 @@
 // The cells of a block. Surfaces, slices and pictures need only this part of the paper's half-edge structure (section
-// 2.2, figure 3). A block has consecutive cells of the mesh. Its links are local ids, not pointers; the ids have 16
-// bits, except in a block of one giant cell. Any thread may read a block.
+// 2.2, figure 3). A block has consecutive cells of the mesh. Its elements refer to each other by local ids, not by
+// pointers. The ids have 16 bits, except in a block of one giant cell. Any thread may read a block.
 //
 // The cells of one standard type form a StandardSection. It stores the vertices and the edges of each cell; all other
 // data are in StandardShape. All other cells of a block form its PolyhedralSection. It stores each face as a loop of
@@ -12,10 +12,11 @@
 // corner. Side 0 belongs to the owner cell and runs along the stored loop; side 1 belongs to the neighbor cell and runs
 // against the loop. An entry is one occurrence of a vertex: a corner of a standard cell or a corner of a stored loop.
 //
-// The elements of a viewed array may change after they were checked (RecordSource); sizes and other members do not.
-// Therefore an element may be used as an index in three cases only: into an array of a record, into a scratch array
-// with room for every 16-bit number (local_ids), or after a comparison with the size of the array. Ids of 32 bits do
-// not change, because topology.cpp copies the records that have them.
+// The bytes of a record may change after they were checked, for example when another process writes a mapped file
+// (RecordSource). Comments call such a record "changed". A change affects the elements of viewed arrays, but not the
+// sizes of the arrays and not other members. Therefore an element may be used as an index in three cases only: into an
+// array of a record, into a scratch array with room for every 16-bit number (local_ids), or after a comparison with the
+// size of the array. Ids of 32 bits do not change, because topology.cpp copies the records that have them.
 #pragma once
 
 #include "blocks/record.hpp"
@@ -42,8 +43,9 @@ using Owned = std::vector<T>;
 template <class T>
 using Viewed = std::span<const T>;
 
-// The ghosts of a block: vertices or edges that the block has, but that an earlier block owns. `narrow` or `wide` has
-// the index of the owner in the record's list of neighbors, and the index of the ghost among those that the owner owns.
+// The ghosts of a block: vertices or edges that the block has, but that an earlier block owns. `narrow` or `wide` has a
+// pair for each ghost: the index of the owner block in the record's list of neighbor blocks, and the index of the ghost
+// among the vertices or edges that the owner owns.
 struct Ghosts {
     std::span<const std::array<std::uint16_t, 2>> narrow; // pairs (neighbor, index); empty if an index needs 32 bits
     std::span<const std::array<std::uint32_t, 2>> wide;
@@ -86,7 +88,7 @@ struct StandardSectionOf {
     Array<std::uint16_t> cell;                  // local cells, ascending; empty means all cells of the block
     Array<std::uint16_t> vertex;                // shape->corners local vertices per cell
     Array<std::uint16_t> edge;                  // shape->edges local edges per cell
-    // one word per group of 8 cells: bit p is set if a cell of the group has a vertex in part p of the block's vertices
+    // one word per group of 8 cells: bit p is set if a cell of the group has a vertex in part p (vertices_per_part)
     Array<std::uint64_t> group_parts;
 
     [[nodiscard]] Index count() const { return cells; }
@@ -135,7 +137,8 @@ struct PolyhedralSection {
     [[nodiscard]] Index half_edge(Index corner_id, Index side_id) const {
         return corner_id < inner_corners ? 2 * corner_id + side_id : corner_id + inner_corners;
     }
-    // Here and in previous_in_loop, the result does not wrap around below 0, even if the record has changed.
+    // Returns the face with the corner. If the record has changed, the result may be wrong, but does not wrap around
+    // below 0. The same holds for previous_in_loop.
     [[nodiscard]] Index face(Index corner_id) const {
         const std::uint64_t up_to = ~std::uint64_t{0} >> (63 - corner_id % 64);
         const Index begun = Index{read_once(face_rank[corner_id / 64])} +
@@ -171,7 +174,8 @@ struct PolyhedralSection {
         for (Index face_id = 0, k = 0, faces = face_count(); face_id < faces; ++face_id)
             for (const Index end = read_once(face_begin[face_id + 1]); k < end; ++k) f(face_id, k);
     }
-    // Calls f(cell of the section, entry of cell_face). Ends even if the record changes: `at` never decreases.
+    // Calls f(index of the cell in the section, element of cell_face), cell by cell. Ends even if the record changes,
+    // because `at` never decreases.
     template <class F>
     void for_cell_faces(F&& f) const {
         for (Index i = 0, at = 0, cells = count(); i < cells; ++i)
@@ -207,7 +211,8 @@ struct BlockOf {
         return local < ghosts ? ghost_vertex[local] : std::min(own_vertex_begin + local - ghosts, last_vertex);
     }
     [[nodiscard]] Index cell(Index local) const { return cell_begin + std::min(local, cell_count - 1); }
-    // Returns the size of a part. The local vertices are divided into at most 64 parts of consecutive vertices.
+    // Returns the number of vertices per part. The local vertices are divided into at most 64 parts of consecutive
+    // vertices, so that a word has one bit for each part.
     [[nodiscard]] Index vertices_per_part() const { return 8 * std::max<Index>(1, (vertex_count + 511) / 512); }
     [[nodiscard]] Index edge_id(Index local) const {
         const auto ghosts = static_cast<Index>(ghost_edge.size());
@@ -235,10 +240,10 @@ struct BlockOf {
 
 using Block = BlockOf<Viewed>;
 
-// A half-edge in its face, as local ids of the block. In memory, the half-edges of a face follow each other, in the
-// direction of the face or against it.
+// The position of a half-edge in its face. The half-edges of a face have consecutive local ids, in the direction of the
+// face or against it.
 struct PlaceInFace {
-    Index first, place, size; // first half-edge in memory, place of the half-edge, number of half-edges
+    Index first, place, size; // lowest local id in the face, distance of the half-edge from it, number of half-edges
     bool backwards;
 
     // Returns the half-edge that is `steps` forward around the face.
@@ -255,7 +260,8 @@ template <template <class> class Array>
     return {local_half_edge - of_cell + begin, of_cell - begin, shape.face_size(face), false};
 }
 
-// Does not accept half-edges of inner faces of the PolyhedralSection, which do not follow each other.
+// REQUIRES: the half-edge is not in an inner face of the PolyhedralSection, because ids in such a face are not
+// consecutive.
 template <template <class> class Array>
 [[nodiscard]] PlaceInFace place_in_face(const BlockOf<Array>& block, Index local_half_edge) {
     if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size())
@@ -268,7 +274,8 @@ template <template <class> class Array>
     });
 }
 
-// Goes `steps` half-edges forward around the face of a local half-edge, and returns the local half-edge there.
+// Returns the local half-edge that is `steps` forward of a local half-edge around its face. Throws Error if the record
+// has changed and the corners of the face do not exist.
 template <template <class> class Array>
 [[nodiscard]] Index turn(const BlockOf<Array>& block, Index local_half_edge, Index steps) {
     if (const std::size_t s = block.section_of_half_edge(local_half_edge); s < block.standard.size())

@@ -49,8 +49,9 @@ decltype(auto) with_around(const Block& block, const BlockAround& around, F&& f)
     });
 }
 
-// `list`: next_entry of the section with `entry`. `begin`: first entry of this section. Throws Error if the next entry
-// is not greater than `entry`, because a walk along a changed list might otherwise never end.
+// Returns the next entry of the same vertex after `entry`, or end_of_list. `list`: next_entry of the section with
+// `entry`. `begin`: first entry of this section. Throws Error if the next entry is not greater than `entry`, because a
+// walk along a changed list might otherwise never end.
 template <class Local>
 [[nodiscard]] Index next_entry(std::span<const Local> list, Index entry, Index begin) {
     const Index next = read_once(list[entry - begin]);
@@ -59,7 +60,8 @@ template <class Local>
     return next;
 }
 
-// Returns the first entry of the vertex from `begin` on, or end_of_list, which is greater than all entries.
+// Returns the first entry of the vertex that is not below `begin`, the first entry of a section. Returns end_of_list,
+// which is greater than all entries, if there is none.
 [[nodiscard]] Index first_entry_from(const Block& block, const BlockAround& around, Index local_vertex, Index begin);
 
 } // namespace ciel::detail

@@ -48,7 +48,8 @@ void BlockBuilder::sort_cells() {
     }
 }
 
-// The twins of standard cells get the ids after the half-edges (BlockMatesOf::mate), so both together must fit.
+// Returns whether all local ids fit 16 bits. BlockMatesOf::mate has the number of a half-edge or, for a mate in another
+// block or section, the number of a twin. Twins are numbered after the half-edges, so both together must fit.
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);

@@ -23,7 +23,7 @@ struct BuiltBlock {
         Index steps;      // steps around the face from its first half-edge to the anchor
         Index mate;       // the anchor's mate if it is in another section of this block; else none
     };
-    std::vector<Tail> tails; // tails[i] belongs to twin i
+    std::vector<Tail> tails; // the mate of tails[i] is twin i of `mates`
 };
 
 // Each thread needs its own object. `source` must outlive the object.
@@ -55,12 +55,13 @@ private:
 
     BlockLoops loops_;
     std::array<std::vector<Recognised>, 4> standard_; // by index in standard_types
-    std::vector<Index> polyhedra_;                    // local ids of the other cells of the block
+    std::vector<Index> polyhedra_;                    // local ids of the cells that are not standard
     std::vector<std::array<Index, 2>> anchor_;        // [loop][side]: as BuiltBlock::Tail::anchor, or none
 };
 
 // Fills the PolyhedralSection of `built` with `cells`. Appends a tail for each face that only one of `cells` has. Sets
-// `anchor` for the sides of `cells`. Throws Error with the id of a cell that is not closed.
+// anchor[loop][side] (BuiltBlock::Tail::anchor) for each side that belongs to one of `cells`. Throws Error with the id
+// of a cell that is not closed.
 template <class Local>
 void fill_polyhedra(const BlockLoops& loops, std::span<const Index> cells, BuiltBlock& built,
                     std::span<std::array<Index, 2>> anchor);

@@ -20,8 +20,10 @@ namespace detail {
 
 namespace {
 
-// A block gets fewer than `cells_per_block` cells if its local ids might not fit 16 bits (BlockBuilder::fits_16_bits).
-// Only a block of one giant cell may exceed `room` and `corner_room`.
+// Returns the first cell of each block, then the number of cells. A block gets fewer than `cells_per_block` cells if
+// its local ids might not fit 16 bits (BlockBuilder::fits_16_bits). `room` limits the half-edges of a block, where
+// those of standard cells count twice. `corner_room` limits the corners of its faces. Only a block of one giant cell
+// may exceed these limits.
 template <class Source>
 std::vector<Index> divide(const Source& source, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
@@ -50,7 +52,7 @@ std::vector<Index> divide(const Source& source, Index cells_per_block) {
     return begin;
 }
 
-// What one pass over all faces finds.
+// Results of one pass over all faces.
 struct Survey {
     std::vector<Index> last_cell; // by vertex: the last cell with a face that has the vertex
     std::uint64_t boundary_faces = 0, components = 0;
@@ -101,7 +103,7 @@ public:
 
 private:
     struct Linked {
-        std::size_t place; // among all records, in the order of the calls of the sink
+        std::size_t place; // index of the record in the order in which the sink gets the records
         BlockLinker::CompleteRecord record;
     };
     struct Made {
@@ -110,8 +112,8 @@ private:
         RecordBytes bytes;
     };
 
-    // When a thread ends, no thread takes another block. After an exception, the records of further blocks would wait
-    // in memory for nothing.
+    // Stops the work: when one thread ends, no other thread takes another block. After an exception, the records of
+    // further blocks would only fill the memory, because the sink gets no more records.
     struct StopAll {
         Building& building;
         ~StopAll() { building.next_ = building.built_.size(); }
@@ -135,7 +137,8 @@ private:
                 complete.push_back({places_++, std::move(record)});
         return complete;
     }
-    // A record that the sink refuses leaves `made_` without a call, so that no call follows.
+    // If the sink throws, the record has left `made_`, but put_ still has its place. All later records therefore wait,
+    // so that the sink is not called again.
     void put(std::size_t place, Made made) {
         const Locked lock(putting_);
         made_.emplace(place, std::move(made));
@@ -147,10 +150,10 @@ private:
     }
 
     const FaceSource& source_;
-    std::span<const Index> cell_begin_; // by block, and the number of cells
+    std::span<const Index> cell_begin_; // first cell of each block, then the number of cells
     BlockLinker& linker_;
     RecordSink& sink_;
-    std::atomic<std::size_t> next_{0}; // block
+    std::atomic<std::size_t> next_{0}; // the next block to build
     Mutex linking_;
     std::vector<std::unique_ptr<BuiltBlock>> built_; // blocks that are not linked
     std::size_t linked_ = 0, places_ = 0;

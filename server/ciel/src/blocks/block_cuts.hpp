@@ -22,8 +22,9 @@ public:
     [[nodiscard]] ActiveBlock& operator[](Index block) { return *cuts_[block]; }
     [[nodiscard]] const ActiveBlock& operator[](Index block) const { return *cuts_[block]; }
 
-    // Ensures that each of `blocks` (ascending) has a cut. A new cut has `known` set to false. It takes the buffers of
-    // a cut that need not be kept, if there is one: the cut of the block that the surface left earliest.
+    // Ensures that each of `blocks` (ascending) has a cut. A new cut has `known` set to false. If more cuts exist than
+    // must be kept, a new cut reuses the buffers of one of them. The cut of the block that the surface left earliest is
+    // reused first.
     void keep(std::span<const Index> blocks);
     void forget(); // sets `known` of all cuts to false
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -19,7 +19,7 @@ Index place_in(std::span<const Index> sorted, Index block) {
     return static_cast<Index>(std::ranges::lower_bound(sorted, block) - sorted.begin());
 }
 
-// `begin`: first id that each block owns.
+// Returns the block that owns `id`. `begin`: first id that each block owns.
 Index block_with(Index id, std::span<const Index> begin) {
     return static_cast<Index>(std::ranges::upper_bound(begin, id) - begin.begin() - 1);
 }
@@ -57,12 +57,12 @@ void name_twins(std::span<const HalfEdge> twins, BlockMatesOf<Owned>& mates) {
 struct BlockLinker::Pending {
     struct InRing {
         Index block, local;
-        Index before; // index in `ring` of the block before with the vertex, or none
+        Index before; // index in `ring` of the previous block with the vertex, or none
     };
     struct Step {
         Index local; // a border vertex of this block
         Index block; // the next block in the ring of the vertex
-        Index there; // its local id there
+        Index there; // local id of the vertex in the next block
     };
     struct OpenFace {
         Index face, tail;
@@ -78,15 +78,16 @@ struct BlockLinker::Pending {
     std::vector<Index> ring_end; // by owned vertex: index in `ring` of the last later block with the vertex, or none
     std::vector<InRing> ring;
     std::vector<Step> border;
-    std::size_t open_vertices = 0;   // vertices that a later block may have
-    std::size_t open_neighbours = 0; // blocks in `border` whose own border vertices are not known
+    std::size_t open_vertices = 0;   // number of vertices that a later block may have
+    std::size_t open_neighbours = 0; // number of blocks in `border` whose border vertices are not yet known
 
     BlockMatesOf<Owned> mates;
     std::vector<OpenFace> faces; // faces whose other cell is in a later block, ascending
     std::vector<HalfEdge> twins;
     std::size_t open_faces = 0;
 
-    // Throws Error if all vertices of the block were complete, because the mesh has changed meanwhile.
+    // Throws Error if complete_border has already freed ring_end, because the arrays of the mesh have changed
+    // meanwhile.
     [[nodiscard]] Index& ring_end_of(Index own_vertex) {
         if (own_vertex >= ring_end.size()) refuse("two faces of it contradict each other");
         return ring_end[own_vertex];
@@ -193,7 +194,7 @@ void BlockLinker::close_vertex(Index vertex, Index owner) {
         next_local = local;
         if (--at.open_vertices == 0) complete_border(block);
     };
-    // From the last block back to the owner, because the entries are linked in this direction.
+    // Goes from the last block back to the owner, because InRing::before links the entries in this direction.
     std::vector<std::pair<Index, Index>> later;
     for (Index i = end; i != none; i = owning.ring[i].before)
         later.emplace_back(owning.ring[i].block, owning.ring[i].local);

@@ -11,9 +11,10 @@
 
 namespace ciel::detail {
 
-// Takes the blocks of a mesh in ascending order. Keeps the parts of a block that later blocks share, until the last of
-// them has come. The record `cells` names earlier blocks only, so it is complete at once. The record `around` is
-// complete when no later block shares a vertex, and `mates` when no later block shares a face. Not thread-safe.
+// Takes the blocks of a mesh in ascending order. Keeps the data that a block shares with later blocks, until the last
+// of these blocks is added. The record `cells` refers to earlier blocks only, so it is complete at once. The record
+// `around` is complete when no later block shares a vertex with the block or with the next blocks in its rings. The
+// record `mates` is complete when no later block shares a face with the block. Not thread-safe.
 class BlockLinker {
 public:
     struct CompleteRecord {
@@ -28,8 +29,8 @@ public:
     BlockLinker(const BlockLinker&) = delete;
     BlockLinker& operator=(const BlockLinker&) = delete;
 
-    // Returns the records that the block completes. Throws Error when ids do not fit 32 bits, or when vertices are not
-    // in the order of first use.
+    // Returns the records that are complete now, also those of earlier blocks. Throws Error when ids do not fit 32
+    // bits, or when vertices are not in the order of first use.
     [[nodiscard]] std::vector<CompleteRecord> add(BuiltBlock&& built);
     // Call it after the last block. Throws Error if a record is incomplete, because the mesh contradicts itself.
     void finish();
@@ -39,7 +40,7 @@ public:
     [[nodiscard]] std::uint64_t edge_count() const { return edges_; }
 
 private:
-    struct Pending; // the parts of a block that later blocks may share
+    struct Pending; // the data that a block shares with later blocks
 
     void own_vertices(BuiltBlock& built);
     void share_vertices(const BuiltBlock& built);
@@ -59,8 +60,8 @@ private:
     std::uint64_t half_edges_ = 0, edges_ = 0, slots_ = 0;
     Index vertices_ = 0, cell_end_ = 0;
     std::vector<std::unique_ptr<Pending>> pending_; // by block; null after its records are complete
-    std::vector<std::vector<Index>> border_;        // by block: its border vertices, when they are complete
-    std::vector<std::vector<Index>> waiting_;       // by block: blocks whose rings lead to it before `border_` is set
+    std::vector<std::vector<Index>> border_;        // by block: its border vertices; empty until all are known
+    std::vector<std::vector<Index>> waiting_;       // by block: blocks whose record `around` waits for its border_
     OpenEdges open_edges_;
     std::vector<CompleteRecord> complete_;
 };

@@ -18,7 +18,7 @@ void BlockLoops::gather(Index from, Index to) {
     find_edges();
 }
 
-// An empty loop counts as one with repeats, because no cell may have it in its list.
+// Returns whether a loop repeats a vertex or is empty. remove_repeats must remove empty loops from the lists of cells.
 bool BlockLoops::has_repeats() const {
     for (Index loop = 0; loop < loop_count(); ++loop) {
         const Index end = begin[loop + 1];

@@ -12,7 +12,7 @@ namespace ciel::detail {
 // One side of a face, stored as 2 * loop + side. Side 0 runs along the stored loop, side 1 against the stored loop.
 using LoopRef = Index;
 
-// Reused for many blocks. Each thread needs its own object. `source` must outlive the object.
+// One object serves many blocks. Each thread needs its own object. `source` must outlive the object.
 // `vertex` holds local vertices. Repeated vertices, which collapsed cells have, are removed from the loops. A loop that
 // collapsed to a point is empty, and no cell has it in its list.
 class BlockLoops : public FaceLoops {
@@ -59,7 +59,7 @@ private:
     std::vector<Index> collapsed_;                          // vertices of loops that collapsed to a point
     LocalNumbers local_vertex_;                             // mesh vertex -> local vertex
     std::vector<Index> edge_head_, edge_next_;              // lists of edges by lower vertex, at most 64 edges each
-    std::unordered_map<std::uint64_t, Index> crowded_edge_; // (lower, upper vertex) -> edge, after the first 64
+    std::unordered_map<std::uint64_t, Index> crowded_edge_; // (lower, upper vertex) -> edge, if in no list
 };
 
 } // namespace ciel::detail

@@ -1,4 +1,4 @@
-// The mates of a block's half-edges (paper, section 2.2). Only propagation uses the mates.
+// The mates of a block's half-edges (paper, section 2.2), for the operators of Topology and for propagation.
 #pragma once
 
 #include "blocks/block.hpp"
@@ -14,7 +14,7 @@ namespace ciel::detail {
 [[nodiscard]] inline Index block_of(HalfEdge h) { return static_cast<Index>(static_cast<std::uint64_t>(h) >> 32); }
 [[nodiscard]] inline Index local_of(HalfEdge h) { return static_cast<Index>(h); }
 
-// Stored for a face on the boundary, which has no mate.
+// Stored in BlockMatesOf::mate for a face on the boundary.
 inline constexpr std::uint16_t no_mate = std::numeric_limits<std::uint16_t>::max();
 
 struct MateEscape {
@@ -26,8 +26,9 @@ struct MateArrays {
     static constexpr Index escape = 15, longest_search = 256;
     static constexpr Local no_block = std::numeric_limits<Local>::max();
 
-    // Four bits per half-edge of the PolyhedralSection: the index, modulo `escape`, of the face with the mate among the
-    // faces of the cell. The value `escape` means that the mate is in mate_escapes, because `mate` would not find it.
+    // Four bits per half-edge of the PolyhedralSection: the index, among the faces of the cell, of the face with the
+    // mate, modulo `escape`. The value `escape` means that the mate is in mate_escapes, because the search in `mate`
+    // would not find it.
     Array<std::uint8_t> mate_face;
     Array<MateEscape> mate_escapes; // sorted by half_edge
     // By twin: its block as an index into BlockMatesOf::neighbour; no_block on the boundary.
@@ -48,13 +49,14 @@ struct BlockMatesOf {
     Array<Index> twin_half_edge;  // by twin (mate in another block or section): local number in its block
     Index twin_begin = 0;         // index of the twin of the first tail face of the PolyhedralSection
     // By standard section, cell and face: the mate of the first half-edge of the face. If the mate is in a standard
-    // section of the block: its local half-edge. Otherwise Block::standard_half_edges + the index of the twin, or
-    // no_mate on the boundary.
+    // section of the block, the entry is its local half-edge. Otherwise the entry is Block::standard_half_edges + the
+    // index of the twin, or no_mate on the boundary.
     std::vector<Array<std::uint16_t>> mate;
     std::variant<MateArrays<std::uint16_t, Array>, MateArrays<std::uint32_t, Array>> arrays;
     RecordBytes copied; // like BlockOf::copied
 
-    // Returns no_half_edge on the boundary. In a changed record, the half-edge may not exist, but its block exists.
+    // Returns the half-edge of twin i, or no_half_edge on the boundary. If the record has changed, the half-edge may
+    // not exist, but its block exists.
     [[nodiscard]] HalfEdge twin(Index i) const;
 };
 using BlockMates = BlockMatesOf<Viewed>;

@@ -20,8 +20,9 @@ class WalkEnds {
 public:
     explicit WalkEnds(const TopologyCounts& counts) : most_(counts.half_edges) {}
 
-    // Call at each step. Throws Error when the walk runs in a circle without its start. Compares `h` with one earlier
-    // half-edge, which is replaced at the steps 8, 16, 32 and so on (Brent's algorithm).
+    // Call it at each step of the walk. Throws Error when the walk runs in a circle that does not contain its first
+    // half-edge. Compares `h` with one earlier half-edge, which is replaced at the steps 8, 16, 32 and so on (Brent's
+    // algorithm).
     void step(HalfEdge h) {
         if (h == seen_ || steps_ > most_) [[unlikely]]
             refuse_changed("the half-edges around a vertex do not come back to the first");
@@ -62,9 +63,10 @@ struct Topology::Blocks {
     [[nodiscard]] std::size_t memory_bytes() const;
 
     [[nodiscard]] Index block_of_cell(Index cell) const;
-    // Returns the block that owns the vertex, and the local id there; {none, none} if no cell has the vertex.
+    // Returns the block that owns the vertex, and the local id of the vertex; {none, none} if no cell has the vertex.
     [[nodiscard]] detail::BlockVertex first_with(Index vertex) const;
-    // `start`: block in which the walk around the ring began. Throws Error if a damaged ring does not lead to `start`.
+    // Returns the next block in the ring of a border vertex, and the place of the vertex in this block. `start`: block
+    // in which the walk around the ring began. Throws Error if a damaged ring does not lead to `start`.
     [[nodiscard]] detail::BorderVertex next_in_ring(detail::BorderVertex at, Index start) const {
         const detail::BlockAround& here = around(at.block);
         const auto next = here.with([&](const auto& all) {
@@ -88,11 +90,14 @@ struct Topology::Blocks {
     }
     // Returns the first half-edge that leaves the vertex; no_half_edge if only collapsed faces have the vertex.
     [[nodiscard]] HalfEdge first_at(detail::BlockVertex at) const;
-    // Returns the first half-edge at `entry` that leaves the vertex; for end_of_list, calls first_after_block.
+    // Returns the first half-edge at `entry` that leaves the vertex. If `entry` is end_of_list, returns the result of
+    // first_after_block.
     [[nodiscard]] HalfEdge first_after(Index block, Index entry, Index local_vertex) const;
-    // Searches the ring from the block after at.block to at.block itself. May return no_half_edge.
+    // Returns the first half-edge that leaves the vertex in the next block of its ring that has one, or no_half_edge.
+    // The search ends with at.block itself.
     [[nodiscard]] HalfEdge first_after_block(detail::BlockVertex at) const;
-    // Throws Error if the half-edge does not exist: the record has changed, or the caller passed an invalid one.
+    // Where a half-edge is stored: its block, the number of the block, and the local number. place_of throws Error if
+    // the half-edge does not exist, because a record has changed or the caller passed an invalid half-edge.
     struct Place {
         const detail::Block& block;
         Index number, local;

@@ -30,7 +30,7 @@ inline void add_face(const Block& block, const StandardSection& section, Index i
     loops.end_face();
 }
 
-// Throws Error if the face or its corners do not exist, because the record has changed.
+// Returns the corners of a face. Throws Error if the face or its corners do not exist, because the record has changed.
 template <class Local, template <class> class Array>
 [[nodiscard]] auto corners_of_face(const PolyhedralSection<Local, Array>& section, Index face) {
     if (face >= section.face_count()) refuse_changed("a cell has a face that does not exist");
@@ -66,8 +66,8 @@ void read_loops(const Block& block, const PolyhedralSection<Local, Array>& secti
     }
 }
 
-// Calls f(mesh-wide cell id, loops), section by section. `loops` is overwritten for the next cell. Throws Error if a
-// changed record has too many corners.
+// Calls f(mesh-wide cell id, loops) for each cell, section by section. `loops` is overwritten for the next cell. Throws
+// Error if a changed record has too many corners.
 template <class F>
 void for_cells(const Block& block, CellLoops& loops, F&& f) {
     std::size_t corners = 0;
@@ -112,7 +112,7 @@ void for_corners_of_cells(const Block& block, std::vector<Index>& seen, F&& f) {
     });
 }
 
-// Leaves `loops` empty if the block does not have the cell.
+// Reads the faces of one cell. Leaves `loops` empty if the block does not have the cell.
 inline void read_loops(const Block& block, Index local_cell, CellLoops& loops) {
     const auto find_in = [&](const auto& section) {
         const auto cells = section.cell;

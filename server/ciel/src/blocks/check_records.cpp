@@ -81,7 +81,8 @@ void check_standard(const Checker& checker, const StandardSection& section, cons
     checker.require(agree, "two cells disagree about the ends of an edge");
 }
 
-// The number of steps is also checked by itself, because the entries may change during the check.
+// Requires that `begin` ascends from 0 to `end` in steps of at least `least`. Also compares the number of steps with
+// `end`, because the entries may change during the check.
 template <class Array>
 void check_begins(const Checker& checker, const Array& begin, std::size_t end, std::size_t least, const char* what) {
     bool ascend = begin.front() == 0 && begin.back() == end;
@@ -141,7 +142,7 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
         return;
     }
     check_begins(checker, section.face_begin, corners, 2, "the list of the faces' first corners is wrong");
-    // A cell that collapsed to a point has no faces.
+    // The least step is 0, because a cell that collapsed to a point has no faces.
     check_begins(checker, section.cell_face_begin, section.cell_face.size(), 0,
                  "the list of the cells' first faces is wrong");
     checker.require(section.inner_faces <= section.face_count() &&
@@ -167,7 +168,7 @@ void check_polyhedra(const Checker& checker, const PolyhedralSection<Local>& sec
 
 // The owner of each ghost must come before block `number`. `begin`: first id that each block owns.
 void check_ghosts(const Checker& checker, const Ghosts& ghosts, std::span<const Index> begin, Index number) {
-    Index last = none, owner = none, first = 0, count = 0; // count: number of ids that the owner has
+    Index last = none, owner = none, first = 0, count = 0; // count: number of ids that `owner` owns
     const auto check = [&](Index neighbour, Index index) {
         if (neighbour != owner) {
             checker.require(neighbour < ghosts.begin.size(), "the owner of a ghost vertex or edge is not a neighbor");

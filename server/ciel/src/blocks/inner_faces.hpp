@@ -9,8 +9,8 @@
 
 namespace ciel::detail {
 
-// The faces between a kept cell and a cell that is not kept. `kept`: one flag per cell. boxes: the result of
-// block_boxes for the positions. The arguments must outlive the object.
+// The faces between a kept cell and a cell that is not kept. `kept`: one flag per cell, not 0 if the cell is kept.
+// `boxes`: the result of block_boxes for the positions. The arguments must outlive the object.
 class InnerFaces {
 public:
     struct OfBlock {

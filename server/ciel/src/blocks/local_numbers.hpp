@@ -1,6 +1,6 @@
 // Maps the mesh-wide vertex ids of one block to local numbers. The memory does not grow with the size of the mesh. The
-// vertices that a block owns have the highest ids of the block, without gaps; an array has their local numbers. The
-// other ids are in a hash table. Not in the paper, which has no blocks.
+// vertices that a block owns have the highest ids of the block, without gaps; an array, the window, has their local
+// numbers. The other ids are in a hash table. Not in the paper, which has no blocks.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -9,7 +9,7 @@
 
 namespace ciel::detail {
 
-// Not thread-safe. Reused for many blocks.
+// Not thread-safe. One object serves many blocks.
 class LocalNumbers {
 public:
     // Removes all ids. `highest`: highest id that will be added. `most`: maximum number of calls of `add`.

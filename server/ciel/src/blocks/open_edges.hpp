@@ -21,8 +21,8 @@ public:
     }
     // Returns the mesh-wide id of the edge, or none.
     [[nodiscard]] Index find(const Ends& ends) const { return slots_.empty() ? none : slots_[slot_of(ends)].edge; }
-    // The edge must be new. is_open(vertex) returns whether a later block has the vertex; edges without such ends are
-    // dropped when the table is full.
+    // Adds a new edge. is_open(vertex) returns whether a later block has the vertex. When the table is full, edges with
+    // an end that no later block has are dropped.
     template <class IsOpen>
     void add(const Ends& ends, Index edge, IsOpen&& is_open) {
         if (2 * (count_ + 1) > slots_.size()) drop_closed(is_open);

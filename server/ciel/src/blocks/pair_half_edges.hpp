@@ -10,8 +10,9 @@ class HalfEdgePairs {
 public:
     // Calls paired(half-edge, mate, index of the mate's face among the faces of the cell) for each half-edge of a cell.
     // Where a cell touches itself along an edge, any pairing of opposite directions is valid; pairs in different faces
-    // are preferred. Returns false if the cell is not closed. `left`: number of half-edges that this cell and all later
-    // cells may have together; the section's half_edge_count before the first cell. Returns false if there are more.
+    // are preferred. `left`: number of half-edges that this cell and all later cells may have together; the section's
+    // half_edge_count before the first cell. Returns false if the cell is not closed or has more than `left`
+    // half-edges.
     template <class Section, class Paired> // Section: a PolyhedralSection
     [[nodiscard]] bool run(const Section& section, Index cell, Index& left, Paired&& paired) {
         for (const Index edge : touched_) open_[edge] = none; // entries that a call left when it returned early
@@ -34,7 +35,7 @@ public:
 
 private:
     struct Waiting {
-        Index half_edge, face_of_cell, next; // next: index in waiting_ of the edge's next half-edge
+        Index half_edge, face_of_cell, next; // next: index in waiting_ of the next unpaired half-edge of the edge
         bool upward;                         // the half-edge runs from the lower to the higher local vertex
     };
 
@@ -58,7 +59,8 @@ private:
         paired(mate.half_edge, here.half_edge, here.face_of_cell);
     }
 
-    // If a face has collapsed to a line, both half-edges of a pair may be in this face.
+    // Pairs the remaining half-edges. Both half-edges of such a pair may be in the same face, if this face has
+    // collapsed to a line. Returns false if a half-edge has no mate.
     template <class Paired>
     [[nodiscard]] bool pair_inside_faces(Paired& paired) {
         bool closed = true;

@@ -63,7 +63,8 @@ void Filler<Local>::append_face(Index loop) {
     out_.face_begin.push_back(static_cast<Local>(out_.vertex.size()));
 }
 
-// Faces between two cells of the section come first, then faces with only the owner in the section, then the others.
+// Faces between two cells of the section come first, then faces with only the owner in the section, then faces with
+// only the neighbor in the section.
 template <class Local>
 void Filler<Local>::place_faces() {
     section_cell_.assign(built_.block.cell_count, none);

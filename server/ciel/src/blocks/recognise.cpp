@@ -6,7 +6,8 @@ namespace ciel::detail {
 
 namespace {
 
-// The base is a triangle of a tetrahedron or wedge, or a quadrangle of a hexahedron or pyramid.
+// Returns the face from which find_corners finds the other corners: a triangle of a tetrahedron or wedge, a quadrangle
+// of a hexahedron or pyramid.
 constexpr std::size_t base_face(CellType type) {
     switch (type) {
     case CellType::tetrahedron:

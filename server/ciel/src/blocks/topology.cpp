@@ -63,7 +63,8 @@ void Topology::Blocks::begin() {
     is_trusted_ = source->is_trusted();
 }
 
-// The blocks of a ring ascend, except at one step. Therefore a walk whose steps do not pass the block `start` ends.
+// Throws Error if the step from `at` to `next` passes the block `start`, or leads to another vertex. The blocks of a
+// ring ascend, except at the step from the last block to the first. Therefore a walk ends if no step passes `start`.
 void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index start) const {
     const bool onwards =
         at.block < start ? next.block > at.block && next.block <= start : next.block > at.block || next.block <= start;
@@ -72,7 +73,7 @@ void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index star
              " of the mesh contradict each other about a vertex that they share; import the dataset again");
 }
 
-// A changed 32-bit id may lead to any address. Therefore records with such ids are copied, and the copies checked.
+// A changed 32-bit id may lead to any address. Therefore records with such ids are copied, and the copies are checked.
 Block Topology::Blocks::read_cells(Index b) const {
     const std::span<const std::byte> record = source->record(b, RecordKind::cells);
     Block block = view_cells(record, b, numbers);

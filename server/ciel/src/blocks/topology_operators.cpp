@@ -25,8 +25,9 @@ InCell in_cell(const StandardSection& section, Index local_half_edge) {
     return place;
 }
 
-// At a corner of a stored loop, the half-edge runs along the loop, or against the loop if only side 1 of the face is in
-// the section. If a record has changed, the half-edge may not exist.
+// Returns the first half-edge that leaves the vertex at `entry`. At a corner of a stored loop, this half-edge runs
+// along the loop, or against the loop if only side 1 of the face is in the section. If a record has changed, the
+// half-edge may not exist.
 Index first_at_entry(const Block& block, Index entry) {
     if (const std::size_t s = block.section_of_entry(entry); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];

@@ -26,14 +26,15 @@ public:
         size_ = blocks;
     }
     [[nodiscard]] std::size_t size() const { return size_; }
-    // If make() throws, this function throws the same exception, and a later call tries again.
+    // Returns the view of the block. The first call makes the view with make(). If make() throws, this function throws
+    // the same exception, and a later call tries again.
     template <class Make>
     [[nodiscard]] const View& of(std::size_t block, Make&& make) const {
         if (const View* const made = views_[block].load(std::memory_order_acquire); made != nullptr) [[likely]]
             return *made;
         return touch(block, make);
     }
-    // Deletes the view. The caller ensures that no thread uses it.
+    // Deletes the view of the block. The caller ensures that no thread uses the view.
     void drop(std::size_t block) { delete views_[block].exchange(nullptr); }
     template <class F>
     void for_each(F&& f) const {

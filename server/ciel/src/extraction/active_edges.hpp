@@ -8,7 +8,7 @@
 
 namespace ciel::detail {
 
-// For surfaces whose points are shared between blocks. Polygons store local edge ids.
+// Records active edges for surfaces whose points are shared between blocks. Polygons store local edge ids.
 class SharedEdges {
 public:
     explicit SharedEdges(CutScratch& scratch) : active_(scratch.active.data()), ends_(scratch.ends.data()) {}
@@ -29,14 +29,15 @@ private:
     std::array<Index, 2>* ends_;
 };
 
-// For cuts of one block alone. Polygons store point numbers, in the order of first use.
+// Records active edges for the cut of one block alone. Polygons store point numbers, in the order of first use.
 class MetEdges {
 public:
     explicit MetEdges(CutScratch& scratch)
         : met_(scratch.met.data()), ends_(scratch.ends.data()), before_(scratch.met_before), count_(&scratch.met_count),
           next_(scratch.met_before + scratch.met_count) {}
 
-    // Branch-free. If the edge already has a point, the next new point overwrites the ends that are written here.
+    // Returns the number of the edge's point. Has no branch: always writes the ends of a new point. If the edge already
+    // has a point, the next new point overwrites these ends.
     Index activate(Index edge, Index a, Index b) {
         const Index known = met_[edge], is_new = known < before_ ? 1 : 0;
         const Index number = known ^ ((known ^ next_) & (0 - is_new));

@@ -1,6 +1,6 @@
-// AdoptedEdges: points of a surface of some blocks (Query::set_blocks), on edges that a left-out block owns. The first
-// remaining block that has such an edge adopts the edge and makes its point. The point is the same, because all blocks
-// have the same values at the ends of the edge. Not in the paper.
+// AdoptedEdges: the points of a surface on edges that a left-out block owns. A block is left out if the surface is made
+// of some blocks only (Query::set_blocks). The first remaining block that has such an edge adopts the edge and makes
+// its point. The point is the same, because all blocks have the same values at the ends of the edge. Not in the paper.
 #pragma once
 
 #include "extraction/cutter.hpp"
@@ -18,8 +18,8 @@ public:
 
     // Finds the active edges whose owner is left out. Sets ActiveBlock::adopted in the cutter's cuts.
     void find(const Topology::Blocks& blocks, Cutter& cutter);
-    // Numbers the points of the adopted edges below `edge` from `next` on. Returns the next unused number. The calls
-    // must have ascending `edge`.
+    // Numbers the points of the adopted edges with ids below `edge`, starting with `next`. Returns the next unused
+    // number. `edge` must ascend from call to call.
     [[nodiscard]] std::uint64_t number_below(Index edge, std::uint64_t next);
 
     [[nodiscard]] std::span<const Edge> edges() const { return edges_; } // ascending by edge

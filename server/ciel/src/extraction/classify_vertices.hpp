@@ -13,8 +13,8 @@ void mark_high(const float* values, std::size_t count, float threshold, std::uin
 void mark_high(const double* values, std::size_t count, double threshold, std::uint8_t* high);
 // Sets scratch.high and returns it. The entries after the last vertex, up to a multiple of 64, are 0.
 const std::uint8_t* mark_vertices(ValuesView values, double threshold, CutScratch& scratch);
-// Sets scratch.high and cut.signature. Returns true if the cut is known and the signature is the same as before. Ignore
-// the result for blocks with gaps, because a vertex without a value becomes low.
+// Sets scratch.high and cut.signature. Returns true if the cut is known and has the same signature, so that it can be
+// kept. In blocks with gaps, ignore the result, because vertices without a value count as low.
 bool classify(ValuesView values, double threshold, CutScratch& scratch, ActiveBlock& cut);
 
 // Packs eight bytes, each 0 or 1, into eight bits: the multiplication moves byte i to bit i of the top byte.

@@ -148,8 +148,9 @@ bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_c
         on_cut(value, block, NamedCut(mesh, cut).get());
     };
     bool done = false;
-    // With a thread limit, a loop that a callback starts runs on the callback's thread only. Without a limit, this
-    // thread could take another block while it waits for that loop, and overwrite the cut that the callback reads.
+    // Always sets a thread limit, because a loop that a callback starts then runs on the callback's thread only.
+    // Without a limit, this thread could take another block while it waits for that loop, and overwrite the cut that
+    // the callback reads.
     with_threads(options.threads > 0 ? options.threads : thread_count(), [&] {
         SweepScratch scratch;
         done = sweep(mesh.topology(), mesh.stored(), field, levels, named, scratch, stop,
@@ -169,7 +170,7 @@ ClippedSurface clip(const Surface& surface, const Mesh& mesh, const ArrayView& v
                     std::span<const HalfSpace> planes, double slack) {
     std::vector<double> at_surface;
     if (!values.empty()) at_surface = interpolate(surface, mesh, values);
-    // The planes, relative to surface_origin as surface.positions are.
+    // The planes relative to surface_origin, because surface.positions are relative to it.
     std::vector<HalfSpace> shifted(planes.begin(), planes.end());
     for (HalfSpace& plane : shifted)
         for (std::size_t axis = 0; axis < 3; ++axis)

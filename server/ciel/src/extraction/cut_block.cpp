@@ -25,7 +25,8 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Branch-free, because it is unpredictable which cells are active.
+// Appends the active cells of [begin, end) to scratch.cell. Has no branch, because branches on active cells are
+// mispredicted.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
@@ -40,8 +41,9 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
-// A group of cells has vertices in few parts (Block::vertices_per_part), and most parts are all low or all high.
-// Therefore most groups can be skipped. The padding after the last vertex is low; at worst, a group is visited in vain.
+// Sets scratch.low_parts and scratch.high_parts. A group of cells has vertices in few parts (Block::vertices_per_part),
+// and most parts are all low or all high. Therefore most groups can be skipped. The padding after the last vertex
+// counts as low; at worst, a group without active cells is searched.
 void find_parts(const Block& block, CutScratch& scratch) {
     constexpr std::uint64_t all_high = 0x0101010101010101U;
     const Index step = block.vertices_per_part();
@@ -83,7 +85,8 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
     });
 }
 
-// Compares 64 corners at a time, because a loop over the corners of each face mispredicts branches.
+// Sets scratch.crossed_cells. Compares 64 corners at a time, because a loop over the corners of each face mispredicts
+// branches.
 template <class Local>
 void find_crossed(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     const std::size_t corners = section.vertex.size();
@@ -142,7 +145,8 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
     }
 }
 
-// `ends` and `cell` get one extra entry, because branch-free loops write an entry after the last active entry.
+// scratch.ends and scratch.cell get one extra entry, because branch-free loops write an entry after the last active
+// entry.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, std::max<std::size_t>(block.edge_count, local_ids) + 1);
     grow(scratch.cell, block.cell_count + std::size_t{1});
@@ -184,8 +188,8 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-// Throws Error if the record changed and a polygon is in a cell that the block does not have. Only a section that lists
-// its cells takes their numbers from the record.
+// Throws Error if the record changed and a polygon is in a cell that the block does not have. A section without a list
+// of cells needs no check, because its cell numbers do not come from the record.
 void check_cells(const Block& block, const ActiveBlock& cut) {
     const auto lists_cells = [](const auto& section) { return !section.cell.empty(); };
     if (!std::ranges::any_of(block.standard, lists_cells) && !block.with(lists_cells)) return;
@@ -195,13 +199,13 @@ void check_cells(const Block& block, const ActiveBlock& cut) {
     if (outside != 0) refuse_changed("a cell does not exist");
 }
 
-// Throws Error if the record changed and an edge is active that the block does not have. Every edge of a polygon is
-// active.
+// Throws Error if the record changed and an edge is active that the block does not have. This check covers the
+// polygons, because every edge of a polygon is active.
 void check_edges(const Block& block, CutScratch& scratch) {
     const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
     const Index rest = block.edge_count % 64;
     std::uint64_t outside = rest == 0 ? 0 : scratch.active[words - 1] >> rest;
-    // A record with 16-bit ids cannot set the words after these. Ids of 32 bits cannot change (block.hpp).
+    // An id of 16 bits cannot set a bit after these words. Ids of 32 bits cannot change (block.hpp).
     for (std::size_t w = words; w < local_ids / 64; ++w) outside |= scratch.active[w];
     if (outside != 0) refuse_changed("an edge does not exist");
     scratch.active_words = words;
@@ -211,7 +215,7 @@ void begin_shared(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     begin_cut(block, scratch, cut);
     std::fill_n(scratch.active.begin(), scratch.active_words, std::uint64_t{0});
     grow(scratch.active, std::max((block.edge_count + std::size_t{63}) / 64, local_ids / 64));
-    scratch.active_words = scratch.active.size(); // until check_edges, because the cut may throw
+    scratch.active_words = scratch.active.size(); // all words, in case the cut throws before check_edges
 }
 
 void list_edges(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
@@ -289,7 +293,7 @@ void begin_cut_alone(const Block& block, const BlockValues& in, CutScratch& scra
     const Index most = std::max(block.edge_count, Index{local_ids});
     grow(scratch.met, most);
     (void)mark_vertices(in.values, in.threshold, scratch);
-    // The last cut may have thrown. Skips all numbers that it may have used.
+    // Skips all numbers that the previous cut may have used, even if it threw an exception.
     scratch.met_before += scratch.met_most;
     scratch.met_most = most;
     scratch.met_count = 0;

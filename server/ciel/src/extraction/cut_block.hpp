@@ -37,7 +37,7 @@ struct CutScratch {
     std::vector<CrossedFace> crossed;
     // A polygon enters a face of a polyhedron over one edge, and leaves the face over the edge `exit`.
     struct Way {
-        Index stamp = 0; // `exit` is valid only for the cell whose cell_stamp this is
+        Index stamp = 0; // `exit` is valid only if this equals cell_stamp
         Index exit = 0;
     };
     std::vector<Way> way; // by local edge over which a polygon enters a face
@@ -69,10 +69,11 @@ struct BlockValues {
 // Cuts the block and writes the result to `cut`. REQUIRES: `classify` (classify_vertices.hpp) was called with the same
 // scratch and cut.
 void cut_block(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
-// For output that is not kept and shares no points with other blocks. Classifies the vertices itself. In `cut`, sets
-// only the polygons; polygon_edge has point numbers. Sets scratch.met_count, and scratch.ends for each point.
+// Cuts the block for output that is not kept and shares no points with other blocks. Classifies the vertices itself. In
+// `cut`, sets only the polygons; polygon_edge has point numbers. Sets scratch.met_count, and scratch.ends for each
+// point.
 void cut_block_alone(const Block& block, const BlockValues& in, CutScratch& scratch, ActiveBlock& cut);
-// Test only `cells`: the local ids of all cells that may be active, ascending.
+// Like cut_block and cut_block_alone, but test only `cells`: the local ids of all cells that may be active, ascending.
 void cut_cells(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,
                ActiveBlock& cut);
 void cut_cells_alone(const Block& block, const BlockValues& in, std::span<const Index> cells, CutScratch& scratch,

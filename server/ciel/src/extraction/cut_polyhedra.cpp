@@ -16,7 +16,8 @@ namespace ciel::detail {
 
 namespace {
 
-// Entries of `marks` with another stamp belong to earlier cells and are stale. 0 is never a stamp.
+// Returns the stamp of the next cell. Entries of `marks` with another stamp belong to earlier cells and are stale. 0 is
+// never a stamp.
 template <class Marks>
 Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
     // After 2^32 stamps, the numbers repeat. Old entries must not match them.
@@ -116,7 +117,8 @@ bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) {
     return false;
 }
 
-// Reads eight corners at once, because a loop over the unpredictable number of corners mispredicts branches.
+// Returns one bit for each corner of a face, set if the corner is high. Reads eight corners at once, because a loop
+// over the unpredictable number of corners mispredicts branches.
 template <class Edges, class Local>
 std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
     const Local* vertex = vertex_ + begin;
@@ -129,7 +131,8 @@ std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index si
     return bits;
 }
 
-// Tests a face again for its second cell, because a cache of the results was slower.
+// Returns the faces of the cell that have active edges. Tests a face again for its second cell, because a cache of the
+// results was slower.
 template <class Edges, class Local>
 std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
     const std::span<const Local> faces = section_.faces_of(cell);
@@ -148,8 +151,9 @@ std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_cr
     return {scratch_.crossed.data(), to};
 }
 
-// `after`: the corner after `entry` in the stored loop. Activates only the entry edge, because each active edge of the
-// cell is the entry edge of some face. Returns false if the edge already is an entry edge in this cell.
+// Records that a polygon enters a face over the edge at `entry` and leaves it over the edge at `exit`. `after`: the
+// corner after `entry` in the stored loop. Activates only the entry edge, because each active edge of the cell is the
+// entry edge of some face. Returns false if the edge already is an entry edge in this cell.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) {
     const Index edge = read_once(edge_[entry]);
@@ -194,7 +198,8 @@ bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& f
     return simple;
 }
 
-// Follows the order of the stored loop. Climbing and descending edges alternate, and the first edge climbs.
+// Lists the active edges of a face in scratch.crossing, in the order of the stored loop. Climbing and descending edges
+// alternate, and the first edge climbs.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::find_crossings(Loop loop) {
     scratch_.crossing.clear();
@@ -315,7 +320,8 @@ Index PolyhedronCutter<Edges, Local>::exit_of(Loop loop, Index entry, bool forwa
     return corner;
 }
 
-// In a cell that touches itself or has collapsed, a walk may pass an edge more than once.
+// In a cell that touches itself or has collapsed, a walk may pass an edge more than once. Therefore drops repetitions
+// of the first edge at the end, and a polygon that has at most two different edges.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;

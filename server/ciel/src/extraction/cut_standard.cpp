@@ -1,4 +1,5 @@
-// Algorithm 4 in standard cells: replaces the edges of the shape (standard_cases.hpp) by the edges of each cell.
+// Algorithm 4 in standard cells: takes the polygons from the table of the shape (standard_cases.hpp), and replaces the
+// edges of the shape by the edges of each cell.
 #include "extraction/active_edges.hpp"
 #include "extraction/joins_high.hpp"
 #include "extraction/standard_cases.hpp"
@@ -93,7 +94,8 @@ private:
         scratch_.cells -= static_cast<Index>(active.end() - end);
     }
 
-    // Activates the edges that cross nu, because a cell of another block may use these edges.
+    // Returns whether a corner of the cell has no value, so that the cell is not cut. If so, activates the edges that
+    // cross nu, because a cell of another block may use these edges.
     bool passed_over(const CutScratch::ActiveCell& cell) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const auto has_value = [&](std::size_t corner) { return !std::isnan(in_.values[vertex[corner]]); };

@@ -24,7 +24,7 @@ public:
     void set_blocks(std::optional<std::span<const Index>> blocks);
     [[nodiscard]] bool has_all() const { return has_.empty(); }
     [[nodiscard]] bool has(Index block) const { return has_.empty() || has_[block] != 0; }
-    // Returns false when `stop` was requested; the Cutter stays usable.
+    // Cuts the blocks that nu crosses. Returns false when `stop` was requested; the Cutter stays usable.
     virtual bool update(double nu, const StopToken& stop) = 0;
 
     [[nodiscard]] std::span<const Index> active() const { return active_; } // blocks that nu crosses, ascending

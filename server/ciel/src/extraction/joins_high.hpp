@@ -5,9 +5,9 @@
 
 namespace ciel::detail {
 
-// `n`: number of corners of the face. value(i): the value of corner i. REQUIRES: around the face, high and low change
-// at least four times. In a quadrangle, the result does not depend on the first corner and the direction, so both cells
-// of the face get the same result.
+// Returns whether the high corners of the face are joined. `n`: number of corners of the face. value(i): the value of
+// corner i. REQUIRES: around the face, high and low change at least four times. In a quadrangle, the result does not
+// depend on the first corner and the direction, so both cells of the face get the same result.
 template <class Value>
 [[nodiscard]] bool joins_high(std::size_t n, double nu, Value&& value) {
     if (n == 4) {

@@ -1,4 +1,4 @@
-// The paper's own baseline: has no list of active edges, and visits every cell of the mesh for every value.
+// The paper's baseline: a Cutter that has no list of active edges, and visits every cell of the mesh for every value.
 #include "ciel/of_this_thread.hpp"
 #include "ciel/parallel.hpp"
 #include "extraction/classify_vertices.hpp"

@@ -51,7 +51,8 @@ double Propagation::value(Index vertex) const { return field_->value(vertex); }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 
-// Rotation by mate_face and mate_polyhedron would miss cells at non-manifold edges and at the boundary.
+// Moves nu past the vertex. Visits its half-edges with next_around_vertex, because rotation by mate_face and
+// mate_polyhedron would miss cells at non-manifold edges and at the boundary.
 template <Propagation::Way way>
 void Propagation::pass(Index vertex) {
     is_low_[vertex] = way == Way::up ? 1 : 0;
@@ -71,7 +72,8 @@ void Propagation::pass(Index vertex) {
     } while (h != start);
 }
 
-// The paper instead turns around each active edge, also in cells in which nu passes no vertex.
+// Updates the cell of a half-edge that leaves the passed vertex. The paper instead turns around each active edge, also
+// in cells in which nu passes no vertex.
 template <Propagation::Way way>
 void Propagation::turn(HalfEdge h) {
     const Index b = block_of(h), cell = topology_->cell(h);
@@ -82,8 +84,8 @@ void Propagation::turn(HalfEdge h) {
     cells_[b].push_back(cell - topology_->blocks().numbers.cell[b]);
 }
 
-// Step 2 of Algorithm 2. Calls pass(h) for each edge that keep(h) refuses. pass may append edges; the same loop visits
-// them, so that nu can skip several small cells at once.
+// Step 2 of Algorithm 2. Calls pass(h) for each edge that keep(h) refuses. `pass` may append edges; the same loop
+// visits these edges, so that nu can skip several small cells at once. Returns false when `stop` was requested.
 template <class Keep, class Pass>
 bool Propagation::propagate(const StopToken& stop, Keep&& keep, Pass&& pass) {
     std::size_t kept = 0;

@@ -1,7 +1,7 @@
-// Algorithm 2 of the paper: keeps the active edges, and the cells around them, from one nu to the next. Corrects
-// errata: step 2 as printed removes `succ` instead of `h`, and turns around the origin of h instead of its head; the
-// printed test "is not active already" takes exponential time, because an edge that a jump skips is appended once for
-// each path to it. Here a sweep passes each vertex once. A sweep down reverses the order (value, id).
+// Algorithm 2 of the paper: keeps the active edges, and the cells around them, from one nu to the next. Corrects two
+// errors of the printed algorithm. Step 2 removes `succ` instead of `h`, and turns around the origin of h instead of
+// its head. The test "is not active already" takes exponential time, because an edge that a jump skips is appended once
+// for each path to the edge. Here, a sweep passes each vertex once. A sweep down reverses the order (value, id).
 #pragma once
 
 #include "ciel/field.hpp"
@@ -24,7 +24,7 @@ public:
     // Updates the result of `cells(block)`. Returns true when nu has passed a vertex of the block's cells since the
     // last call. May be called for different blocks on different threads at the same time.
     bool settle(Index block);
-    // Local ids, ascending. REQUIRES: settle(block) was called after `reach`.
+    // Returns the local ids of the block's active cells, ascending. REQUIRES: settle(block) was called after `reach`.
     [[nodiscard]] std::span<const Index> cells(Index block) const { return cells_[block]; }
 
     [[nodiscard]] std::size_t memory_bytes() const;

@@ -79,7 +79,7 @@ bool extract_series(Query& query, std::span<const double> values, bool normals,
     for (const double nu : values) {
         if (!query.extract(nu, normals, surface, stop)) return false;
         sink(nu, std::move(surface));
-        // `surface` may be moved from here. The next call of extract replaces its contents.
+        // The sink may have moved from `surface`. The next call of extract replaces its contents.
     }
     return true;
 }

@@ -20,8 +20,9 @@ struct StandardCase {
 template <const StandardShape& shape>
 [[nodiscard]] const std::vector<StandardCase>& standard_cases();
 
-// `high`: one bit for each high corner. `joined`: one bit for each face on which high corners are joined. On such a
-// face, a polygon leaves at the active edge before its entry edge. On any other face, it leaves at the one after it.
+// Returns one case. `high`: one bit for each high corner. `joined`: one bit for each face on which high corners are
+// joined. On such a face, a polygon leaves at the active edge before its entry edge. On any other face, it leaves at
+// the active edge after its entry edge.
 [[nodiscard]] StandardCase joined_case(const StandardShape& shape, Index high, Index joined);
 
 } // namespace ciel::detail

@@ -12,7 +12,8 @@ namespace {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-// In flat cells at a wall, the least-squares gradient of a cell and the surface in the cell may disagree.
+// Marks the points whose normal is zero or points against a polygon around the point. In flat cells at a wall, the
+// least-squares gradient of a cell and the surface in the cell may disagree.
 void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {
     doubtful.assign(surface.points.size(), 0);
     parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -36,7 +37,7 @@ std::size_t SurfaceScratch::memory_bytes() const {
     return bytes;
 }
 
-// Sums in the order of the polygons, so that the bits do not depend on the ranges.
+// Sums in the order of the polygons, so that the normals have the same bits for any ranges.
 void write_polygon_normals(SurfaceScratch& scratch, Surface& surface) {
     const std::span<const PointRange> ranges = scratch.ranges;
     std::vector<Vec3d>& sum = scratch.sum;

@@ -18,10 +18,11 @@ using namespace detail;
 
 namespace {
 
-// Reused for many blocks; one object for each thread.
+// Cuts single blocks. One object serves many blocks. Each thread needs its own object.
 class BlockSlicer {
 public:
-    // `cells`: local ids of the cells that may be active; nullopt: all cells. The result is valid until the next call.
+    // Returns the cut of block b at nu, which is valid until the next call. `cells`: local ids of the cells that may be
+    // active; nullopt: all cells.
     [[nodiscard]] BlockPolygons cut(const FaceMeshView& mesh, const Field::Data& field, Extraction how, Index b,
                                     double nu, std::optional<std::span<const Index>> cells) {
         const Block& block = field.topology->blocks().cells(b);

@@ -18,7 +18,8 @@ public:
         fit_.clear();
         vertex_.clear();
     }
-    // The fit is valid until the next call. make() must return a FittedPolyhedron<Index>; its result is kept.
+    // Returns the fit of a cell, which is valid until the next call. The first call for a cell keeps the result of
+    // make(), which must be a FittedPolyhedron<Index>.
     template <class Make>
     [[nodiscard]] FittedPolyhedron<Local> of(Index cell, Make&& make) {
         if (number_[cell] == none) add(cell, make());

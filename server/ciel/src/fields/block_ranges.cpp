@@ -28,7 +28,7 @@ struct Range {
     Key<Value> low = std::numeric_limits<Key<Value>>::max(), high = std::numeric_limits<Key<Value>>::min();
 };
 
-// The function is its own inverse.
+// Converts the bits of a number to its Key. The function is its own inverse.
 template <class K>
 constexpr K in_order(K bits) {
     return bits ^ (bits >> (8 * sizeof(K) - 1) & std::numeric_limits<K>::max());

@@ -26,7 +26,8 @@ struct CellFits::Data {
     std::unique_ptr<OfBlock[]> of_block;
     std::atomic<std::size_t> bytes = 0; // memory of the fits of all blocks
 
-    // `other`: address of the positions of a mesh. The fits belong to the positions of the first call.
+    // Returns whether the fits belong to the positions at the address `other`. The first call decides to which
+    // positions they belong.
     [[nodiscard]] bool belong_to(const void* other) {
         const void* first = nullptr;
         return positions.compare_exchange_strong(first, other) || first == other;
@@ -41,8 +42,9 @@ struct CellFits::Data {
 
 namespace ciel::detail {
 
-// Calls f(fitted). fitted(cell of the section) returns a FittedPolyhedron, which is valid until the next call of
-// `fitted`. `shared` keeps the fits, and is locked for this block while f runs; if null, no fits are kept.
+// Calls f(fitted). fitted(index of a cell in the section) returns a FittedPolyhedron, which is valid until the next
+// call of `fitted`. `shared` keeps the fits, and is locked for this block while f runs. If `shared` is null, no fits
+// are kept.
 template <class Local, class Sampler, class F>
 void with_fits(CellFits::Data* shared, Index b, const Block& block, const PolyhedralSection<Local>& section,
                const Sampler& sample, PolyhedronFitter& fitter, F&& f) {

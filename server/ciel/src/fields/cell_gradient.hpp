@@ -72,7 +72,7 @@ template <class Samples>
     return out;
 }
 
-// The inverse of the matrix. It depends on positions only.
+// The inverse of the matrix of the normal equations, which depends on positions only.
 template <class Number>
 struct NormalEquationsOf {
     Number xx{}, xy{}, xz{}, yy{}, yz{}, zz{}; // cofactors of the matrix
@@ -105,12 +105,14 @@ struct NormalEquations : NormalEquationsOf<double> {
     }
 };
 
-// `samples` must be relative to their mean. They are sheared, which does not change volumes. Returns false when they
-// lie in a plane, up to rounding. The error is about 1e-16 times the aspect ratio of the cell, which may be up to 1e10.
+// Sets `gradient` to the gradient in a stretched cell. `samples`: relative to their mean. The function shears the
+// samples, which does not change volumes. Returns false when the samples lie in a plane, up to rounding. The error is
+// about 1e-16 times the aspect ratio of the cell, which may be up to 1e10.
 [[nodiscard]] bool fit_stretched(std::span<Sample> samples, const Sample& mean, Vec3f& gradient);
 [[nodiscard]] CellGradient stretched_tetrahedron_gradient(std::array<Sample, 4> samples);
 
-// On return, the samples are relative to their mean, and possibly sheared by fit_stretched.
+// Returns the least-squares gradient and the mean of the samples. On return, the samples are relative to their mean,
+// and possibly sheared by fit_stretched.
 template <class Samples>
 [[nodiscard]] inline LeastSquares least_squares(Samples& samples) {
     LeastSquares out;
@@ -181,7 +183,8 @@ struct TetrahedronOf {
     return {{static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)}, absolute(cell.six_volumes) / 6};
 }
 
-// `samples`: one sample per corner, in the order of the shape. They are overwritten.
+// Returns the gradient and the volume of a standard cell. `samples`: one sample per corner, in the order of the shape.
+// The function overwrites the samples.
 template <const StandardShape& shape>
 [[nodiscard]] inline CellGradient standard_gradient(std::array<Sample, shape.corners>& samples) {
     if constexpr (shape.type == CellType::tetrahedron) {

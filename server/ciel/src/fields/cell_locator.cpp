@@ -113,7 +113,7 @@ Index CellLocator::cell_at(const Vec3d& position) const {
         for_cells(block, loops, [&](Index cell, const CellLoops& of_cell) {
             if (!box_holds(points_, of_cell, at)) return;
             const double here = winding(points_, of_cell, at);
-            if (here <= most) return;
+            if (!(here > most)) return; // also for NaN, of a cell with a vertex that is not finite
             most = here;
             best = cell;
         });
@@ -130,7 +130,9 @@ VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
     const Cell of = cell_of(topology_, points_, cell);
     const Vec3d center = centroid(points_, of.vertices);
 
-    // The smallest weight may be negative: the point may lie slightly outside all tetrahedra of a bent cell.
+    // Divides the cell into tetrahedra. The corners of a tetrahedron are the center of the cell, the center of a face,
+    // and the ends of an edge of this face. Chooses the tetrahedron whose smallest weight is the greatest. This weight
+    // may be negative, because the point may lie slightly outside all tetrahedra of a bent cell.
     std::array<double, 4> best{};
     double deepest = -std::numeric_limits<double>::infinity();
     std::span<const Index> best_loop;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-// `faces`: of one cell. The areas point out of the cell.
+// Returns the centroid of a cell. `faces`: the faces of the cell, with areas that point out of the cell.
 Vec3d centroid(std::span<const FaceShape> faces) {
     Vec3d guess{};
     for (const FaceShape& face : faces) guess = guess + face.centre;

@@ -52,7 +52,8 @@ private:
     std::vector<std::uint8_t>&not_minimum_, &not_maximum_;
 };
 
-// Calls value(vertex) once per vertex: if a mapped value changed during the sort, std::sort could read out of bounds.
+// Removes vertices without a finite value, and sorts the others. Calls value(vertex) only once per vertex: if a mapped
+// value changed during the sort, std::sort could read out of bounds.
 template <class Value>
 void sort_by_value(std::vector<Index>& vertices, const Value& value) {
     std::vector<std::pair<double, Index>> all;
@@ -80,8 +81,9 @@ void Field::Data::find_extrema() const {
     }
 }
 
-// Tests only boundary vertices and vertices with a reflex corner. Returns false when the values are no plane distances,
-// or are so large that two distances may round to the same float: with ties, any vertex may be an extremum.
+// Finds the extrema of plane distances among the boundary vertices and the vertices with a reflex corner. Returns false
+// when the values are no plane distances. Also returns false when the values are so large that two distances may round
+// to the same float, because any vertex may then be an extremum.
 bool Field::Data::find_geometric_extrema() const {
     if (!where_extrema) return false;
     const GeometricVertices::Found& where = where_extrema->find(*topology);

@@ -50,7 +50,6 @@ Field Field::plane(const Topology& topology, const FaceMeshView& points, const V
     return field;
 }
 
-// The field keeps the vector `stored` alive, which owns the values.
 template <class T>
 Field::Field(const Mesh& mesh, const std::shared_ptr<const std::vector<T>>& stored)
     : Field(mesh.topology(), ValuesView(*stored), stored) {

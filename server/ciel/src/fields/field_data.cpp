@@ -19,8 +19,8 @@ void Field::Data::begin(const Topology& of, BlockRanges block_ranges) {
         block_ranges.missing.size() != all.count())
         fail("the ranges belong to another mesh; pass one range per block of the topology");
     topology = of;
-    // A record whose file was changed may have any 16-bit number as a local vertex, and the array has a place for each.
-    // Places that are never used take no memory.
+    // The array is longer than the values by local_ids, because a changed record may have any 16-bit number as a local
+    // vertex. Entries that are never used take no memory.
     const std::size_t room = all.slot_count() + local_ids;
     if (has_doubles())
         local_doubles = SparseArray<double>(room);
@@ -78,7 +78,7 @@ void read_block(const Block& block, const ValueSource& source, Value* to) {
 
 } // namespace
 
-// Values that are not finite become NaN.
+// Writes the values of the block to its entries in `local`. Values that are not finite become NaN.
 template <class Value>
 void Field::Data::take_in(Index b, Value* local) const {
     const Block& block = topology->blocks().cells(b);

@@ -22,8 +22,9 @@ struct Field::Data {
     BlockRanges of_blocks;
     std::array<double, 2> range{};
 
-    // Entry Block::vertex_begin + local vertex; NaN means no value. A block's values are copied at its first use. After
-    // all values, at least local_ids more entries can be read. Only one of local_floats and local_doubles is used.
+    // The value of a local vertex is at the index Block::vertex_begin + local vertex; NaN means no value. A block's
+    // values are copied at its first use. After all values, at least local_ids more entries can be read. Only one of
+    // local_floats and local_doubles is used.
     detail::SparseArray<float> local_floats;
     detail::SparseArray<double> local_doubles;
     std::unique_ptr<std::atomic<bool>[]> taken; // by block: whether its values have been copied

@@ -59,7 +59,6 @@ using Four = FourOf<double>;
 using FourFloats = FourOf<float>;
 using FourFlags = FourOf<bool>;
 
-// Returns f(0), f(1), f(2), f(3).
 template <class F>
 [[nodiscard]] inline auto four_of(F&& f) {
     return FourOf<decltype(f(0))>(f(0), f(1), f(2), f(3));

@@ -31,7 +31,7 @@ struct Scratch {
     std::vector<Index> asked;            // vertices with the flag `wanted` or asked_by_neighbour, ascending
     std::uint64_t asked_parts = 0;       // bit p is set if part p of the block has one of these vertices
     std::vector<Index> slot;             // by local vertex: index in `sum`, 0 for vertices that are not wanted
-    std::vector<GradientSum> sum;        // sum[0] takes the terms of vertices that are not wanted; not used
+    std::vector<GradientSum> sum;        // sum[0]: terms of vertices that are not wanted; never read
     std::vector<std::uint64_t> to_solve; // one bit per cell of the PolyhedralSection
     std::vector<std::uint16_t> corners;  // local vertices of the corners of the cells to solve
     std::vector<CellGradient> gradients; // one gradient per cell to solve
@@ -64,8 +64,9 @@ struct AddSolved {
     }
 };
 
-// In a block with few wanted vertices, the cells around each wanted vertex are solved separately. Otherwise, each
-// needed cell is solved once, and then the gradients at vertices that several blocks have are summed.
+// Computes the gradients at the wanted vertices: the ends of active edges whose gradients are not yet known. In a block
+// with few wanted vertices, the cells around each wanted vertex are solved separately. Otherwise, each needed cell is
+// solved once, and then the gradients at vertices that several blocks have are summed.
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,
@@ -261,7 +262,7 @@ void Pass::add_standard(const BlockSampler& sampler, const Block& block, const S
     }
 }
 
-// Visits only the entries of the vertices in `asked`, because they are few.
+// Marks the polyhedra around the vertices in `asked`. Visits only the entries of these vertices, because they are few.
 template <class Local>
 void Pass::mark_polyhedra(Index b, const PolyhedralSection<Local>& section, Scratch& scratch) const {
     const Block& block = blocks_.cells(b);

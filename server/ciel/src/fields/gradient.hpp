@@ -18,9 +18,10 @@ public:
     // cuts of these blocks. May throw std::bad_alloc; the next call then computes the missing gradients.
     void make_at(const FaceMeshView& mesh, const Field::Data& field, std::span<const Index> blocks,
                  const BlockCuts& cut);
-    // Indexed by local vertex. Only entries that make_at computed are set. Valid until forget or destruction.
+    // Returns the gradients of a block by local vertex. Only the entries that make_at computed are set. The array is
+    // valid until forget or destruction.
     [[nodiscard]] const Vec3f* of_block(Index block) const { return vertex_[block].get(); }
-    // Drops all gradients. Call when the positions have changed. No thread may be using the gradients.
+    // Drops all gradients. Call it when the positions have changed. No thread may be using the gradients.
     void forget();
     [[nodiscard]] std::size_t memory_bytes() const;
 

@@ -35,7 +35,7 @@ public:
         load_vertices(mesh.loader, b, block);
     }
 
-    // For values and positions whose number types are template arguments.
+    // Like BlockSampler, for values and positions whose number types are template arguments.
     template <class Value, class Position>
     class Typed {
     public:
@@ -94,8 +94,9 @@ private:
     ValuesView values_;
 };
 
-// `vertex`: the first corner of a standard cell in a section. An id of a changed record that is not a vertex of the
-// block is replaced by the last vertex, so that it can be an index into an array by local vertex.
+// Returns the local vertices of a standard cell. `vertex`: the first corner of the cell in its section. An id of a
+// changed record that is not a vertex of the block is replaced by the last vertex, so that each result can be an index
+// into an array by local vertex.
 template <const StandardShape& shape>
 [[nodiscard]] std::array<std::uint16_t, shape.corners> corners_of(const Block& block, const std::uint16_t* vertex) {
     const auto last = static_cast<std::uint16_t>(std::min<std::size_t>(block.vertex_count, local_ids) - 1);
@@ -114,7 +115,7 @@ template <const StandardShape& shape, class Sampler>
     return standard_gradient<shape>(samples);
 }
 
-// Sets `out` to the blocks that have a border vertex, ascending.
+// Sets `out` to the blocks that have a border vertex, ascending, each with the local id of the vertex.
 inline void list_ring(const Topology::Blocks& blocks, BorderVertex at, std::vector<BlockVertex>& out) {
     out.clear();
     const Index start = at.block;

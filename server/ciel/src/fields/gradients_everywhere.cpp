@@ -12,18 +12,18 @@ namespace ciel::detail {
 
 namespace {
 
-// Gradients of the cells of blocks, kept while a border vertex needs them. A border vertex belongs to the first block
-// of its ring, so it needs no earlier block. Therefore the gradients of a block are dropped when it and all earlier
-// blocks are done. Blocks that are near on the curve of the block order are near in space, so that few are kept at a
-// time. Thread-safe.
+// Keeps the gradients of the cells of blocks while border vertices need them. The gradient at a border vertex is summed
+// with the first block of its ring, so it needs no earlier block. Therefore the gradients of a block are dropped when
+// this block and all earlier blocks are done. Few blocks are kept at a time, because blocks that are near in the block
+// order are near in space. Thread-safe.
 class CellGradients {
 public:
     using OfBlock = std::unique_ptr<CellGradient[]>; // section by section
 
     explicit CellGradients(std::size_t blocks) : is_done_(blocks) { made_.resize(blocks); }
 
-    // Returns the gradients of block `of`. The first call for a block calls make(). `user`: the block with the border
-    // vertex. Null if block `of` is earlier, because its gradients may be gone.
+    // Returns the gradients of block `of`. The first call for a block calls make(). `user`: the block that sums at a
+    // border vertex. Returns null if `of` is earlier than `user`, because the gradients of `of` may already be dropped.
     template <class Make>
     [[nodiscard]] const CellGradient* get(Index of, Index user, Make&& make) {
         if (of < user) [[unlikely]]
@@ -50,7 +50,8 @@ public:
           out_(mesh.vertex_count()) {}
 
     std::vector<Vec3f> run() {
-        // Threads take blocks from one counter, because a loop's ranges may begin far apart on the curve.
+        // Threads take blocks from one counter. The ranges of parallel_for may begin far apart in the block order, so
+        // that the gradients of many blocks would be kept.
         std::atomic<Index> next{0};
         parallel_for(blocks_.count(), 1, [&](std::size_t begin, std::size_t end) {
             for (; begin < end; ++begin) {
@@ -67,7 +68,8 @@ private:
     [[nodiscard]] const CellGradient* cells_of(Index b, Index user) {
         return cells_.get(b, user, [&] { return sum_inside(b); });
     }
-    // Sets the gradients of the block's own vertices, except at its border. Returns those of its cells.
+    // Sets the gradients at the block's own vertices; at its border, sum_at_border replaces them. Returns the gradients
+    // of the block's cells.
     [[nodiscard]] CellGradients::OfBlock sum_inside(Index b);
     void sum_at_border(Index b);
 

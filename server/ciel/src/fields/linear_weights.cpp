@@ -13,7 +13,8 @@ namespace {
 constexpr double same_direction = 0.8;   // cosine of 37 degrees: normals at a smaller angle are merged
 constexpr double least_of_another = 0.3; // sine of the smallest angle to the span of the earlier directions
 
-// `m`: upper triangle, row by row. Returns a number from 0, singular (x is unchanged), to 1, well-conditioned.
+// Solves m x = right for a symmetric matrix. `m`: its upper triangle, row by row. Returns how well-conditioned the
+// matrix is, from 0 (singular; x is unchanged) to 1.
 double solve(const std::array<double, 6>& m, Vec3d right, Vec3d& x) {
     const Vec3d a{m[0], m[1], m[2]};
     const Vec3d b{m[1], m[3], m[4]};

@@ -1,6 +1,6 @@
 // Gradients of four cells at once. A Four has one number per cell. least_squares repeats the operations of
-// cell_gradient.hpp in the same order. The two share no template, because the function for one cell has the components
-// of a sample in a Four.
+// least_squares in cell_gradient.hpp in the same order, so that both give the same bits. The two share no template,
+// because the function for one cell stores the components of one sample in a Four.
 #include "fields/many_gradients.hpp"
 
 #include "parallel/vector_units.hpp"

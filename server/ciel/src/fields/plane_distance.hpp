@@ -16,7 +16,7 @@ public:
 
     [[nodiscard]] bool has_doubles() const { return positions_.has_doubles(); }
     [[nodiscard]] std::size_t vertex_count() const { return positions_.size() / 3; }
-    // Null if all positions are in memory. Load the positions before at() or of() reads them.
+    // Returns null if all positions are in memory. Otherwise, load the positions before at() or of() reads them.
     [[nodiscard]] const VertexLoader* loader() const { return loader_; }
     // Returns the distance of a vertex, rounded to a float unless has_doubles().
     [[nodiscard]] double at(std::size_t vertex) const {
@@ -40,9 +40,10 @@ public:
         return {static_cast<const Number*>(positions_.data()), normal_, shift_};
     }
 
-    // The range of a block may be wider than its distances. boxes: the result of block_boxes for the positions.
+    // Returns the range of each block, which may be wider than the range of its distances. `boxes`: the result of
+    // block_boxes for the positions.
     [[nodiscard]] BlockRanges ranges(const BlockBoxes& boxes) const;
-    // Returns [min, max] over the vertices that blocks own. `bounds`: what ranges() returned. `first_vertex`: the first
+    // Returns [min, max] over the vertices that blocks own. `bounds`: the result of ranges(). `first_vertex`: the first
     // vertex that each block owns, then the end of the last block's vertices.
     [[nodiscard]] std::array<double, 2> range(const BlockRanges& bounds, std::span<const Index> first_vertex) const;
 

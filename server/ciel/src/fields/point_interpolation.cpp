@@ -79,7 +79,8 @@ PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshV
     });
 }
 
-// The blocks have no faces that collapsed to a point. Returns the vertices that only such faces give to their cells.
+// Returns pairs of a vertex and a cell that has the vertex only in a face that collapsed to a point. The blocks do not
+// store such faces.
 std::vector<PointInterpolation::CellAtVertex> PointInterpolation::at_collapsed_faces(const Topology& topology,
                                                                                      const FaceMeshView& mesh) {
     std::vector<CellAtVertex> found;
@@ -97,7 +98,8 @@ std::vector<PointInterpolation::CellAtVertex> PointInterpolation::at_collapsed_f
     return found;
 }
 
-// Threads add the cells of a vertex in any order, so that they are sorted afterwards.
+// Lists the cells of each vertex. Threads add the cells of a vertex in any order, so that the lists are sorted
+// afterwards.
 void PointInterpolation::find_cells(const Topology& topology, std::span<const CellAtVertex> further) {
     const std::size_t vertices = topology.counts().vertices;
     const Topology::Blocks& blocks = topology.blocks();

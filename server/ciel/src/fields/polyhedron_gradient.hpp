@@ -31,7 +31,7 @@ template <class Local, class Sampler>
         if (!stretched.good) return {};
         return {stretched.gradient, fit.volume};
     }
-    // Differences from the first value, because values may vary by less than 1e-8 of their size.
+    // Uses differences from the first sample, because values may vary by less than 1e-8 of their size.
     const Four first = load(sample(vertices[0]));
     Four sum{}, slopes{};
     for (const auto v : vertices) {
@@ -60,7 +60,8 @@ public:
         first_stamp_ = ++stamp_;
     }
 
-    // The fit is valid until the next call. Calls `sample` at most once per vertex, and uses only positions.
+    // Returns the fit of a cell, which is valid until the next call. Calls `sample` at most once per vertex, and uses
+    // only positions.
     template <class Local, class Sampler>
     [[nodiscard]] FittedPolyhedron<Index> fit(const PolyhedralSection<Local>& section, Index cell,
                                               const Sampler& sample) {

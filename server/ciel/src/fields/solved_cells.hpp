@@ -19,7 +19,7 @@ public:
         number_[place] = static_cast<Index>(gradient_.size());
         gradient_.push_back(gradient);
     }
-    // Returns null if the cell was not added.
+    // Returns the gradient of the cell, or null if the cell was not added.
     [[nodiscard]] const CellGradient* of(std::size_t place) const {
         if (place >= number_.size() || number_[place] == none) return nullptr;
         return &gradient_[number_[place]];

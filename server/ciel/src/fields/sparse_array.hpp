@@ -1,4 +1,4 @@
-// SparseArray: an array for all vertices of a mesh. If it is large, only its touched parts take memory. Not in
+// SparseArray: an array for all vertices of a mesh. In a large array, only elements that were used take memory. Not in
 // the paper.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace ciel::detail {
 
-// Zeroed memory. Large requests take memory only where it is touched. Throws std::bad_alloc.
+// Returns zeroed memory. Large requests take memory only where it is touched. Throws std::bad_alloc.
 [[nodiscard]] void* reserve_zeroed(std::size_t bytes);
 void release_zeroed(void* begin, std::size_t bytes); // begin: the result of reserve_zeroed(bytes)
 

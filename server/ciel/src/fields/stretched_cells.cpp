@@ -1,6 +1,7 @@
-// Least-squares gradient in stretched cells by modified Gram-Schmidt, because normal equations would square the aspect
-// ratio. The value column is orthogonalized, too, so that no product uses numbers that lost precision by cancellation.
-// Source: A. Bjorck, Solving linear least squares problems by Gram-Schmidt orthogonalization, BIT 7 (1967).
+// Least-squares gradient in stretched cells by modified Gram-Schmidt. Normal equations would square the condition
+// number, which grows with the aspect ratio. The value column is orthogonalized, too, so that no product uses numbers
+// that lost precision by cancellation. Source: A. Bjorck, Solving linear least squares problems by Gram-Schmidt
+// orthogonalization, BIT 7 (1967).
 #include "fields/cell_gradient.hpp"
 
 namespace ciel::detail {

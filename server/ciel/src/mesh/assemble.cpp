@@ -48,7 +48,7 @@ void write_loops(const MatchedCells::Data& cells, FaceMesh& out) {
 } // namespace
 
 Assembled assemble(const PolyhedraView& input) {
-    // The caller owns the arrays during this call.
+    // A pointer that owns nothing, because the caller owns the arrays during this call.
     const std::shared_ptr<const void> caller(std::shared_ptr<const void>(), &input);
     const MatchedCells matched(input, caller);
     const MatchedCells::Data& cells = matched.data();

@@ -23,8 +23,9 @@ struct FacesByVertex {
     std::vector<Index> begin, face;
 };
 
-// `scratch`: one element for each face. Leaves out faces that collapsed to a line or a point, which do not separate
-// cells, and faces of cells that are left out. They stay on the boundary.
+// Groups the faces by their smallest vertex. `scratch`: one element for each face. Leaves out faces of cells that are
+// left out, and faces that collapsed to a line or a point, because such faces do not separate cells. All these faces
+// stay on the boundary.
 FacesByVertex group_faces(const InputFaces& input, std::span<const std::uint8_t> left_out, std::span<Index> scratch) {
     parallel_for(input.cell_count(), cells_per_task, [&](std::size_t first, std::size_t last) {
         std::vector<Index> loop;
@@ -52,12 +53,11 @@ struct FaceOfCell {
     Index face = none, cell = none;
 };
 
-// Loops of faces without repeated vertices. Each thread needs its own object.
+// Reads and compares the loops of faces, without repeated vertices. Each thread needs its own object.
 class Loops {
 public:
     explicit Loops(const InputFaces& input) : input_(input) {}
 
-    // Sets `loop` to the loop of the face.
     void read(FaceOfCell face, std::vector<Index>& loop) {
         loop.clear();
         append_without_repeats(input_.loop(face.cell, face.face, corners_), loop);
@@ -117,7 +117,8 @@ void EqualFaces::for_groups(std::span<const Index> faces, Settle&& settle) {
     }
 }
 
-// Faces with the same smallest vertex and fingerprint are nearly always equal.
+// Compares all faces with the first one, and repeats this with the faces that differ. One round is nearly always
+// enough, because faces with the same smallest vertex and fingerprint are nearly always equal.
 template <class Settle>
 void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
     left_.clear();
@@ -172,8 +173,9 @@ void Matcher::match(Index a, Index b) {
     result_.partner[b] = a;
 }
 
-// Each cell was wound outwards without regard to its neighbors. Therefore two adjacent cells may disagree if a cell is
-// folded, has no volume or touches itself. For the topology, agreement is more important than positive volumes.
+// Makes adjacent cells agree on the direction of their common face. Each cell was wound outwards without regard to its
+// neighbors. Therefore two adjacent cells may disagree if a cell is folded, has no volume or touches itself. For the
+// topology, agreement is more important than positive volumes.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
     const auto disagree = [&](Index f) {
@@ -222,7 +224,8 @@ void Matcher::divide_into_units(const std::vector<Index>& conflicts) {
     parity_.assign(cell_of_unit_.size(), 0);
 }
 
-// If no parities make all matched faces agree, all units that are connected to `start` keep their winding.
+// Sets the parities of all units that are connected to `start`, so that all matched faces agree. Of the two solutions,
+// chooses the one with more volume wound outwards. If there is no solution, all these units keep their winding.
 void Matcher::spread_from(Index start) {
     std::vector<Index> component{start};
     bool consistent = true;
@@ -254,8 +257,9 @@ void Matcher::spread_from(Index start) {
     }
 }
 
-// A cell that collapsed to this face has the face twice, once per side. Such cells are put in a chain between the one
-// or two cells that have the face once. In all other cases, the faces of the group stay unmatched.
+// Matches the faces of a group of more than two equal faces. A cell that collapsed to such a face has the face twice,
+// once per side. Such cells are put in a chain between the one or two cells that have the face once. In all other
+// cases, the faces of the group stay unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;
@@ -284,7 +288,8 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     if (single.size() == 2) match(open, single[1]);
 }
 
-// Cells with a face in crowds_, and cells whose first two matched faces lead to the same cell; ascending.
+// Returns the cells that may be repeated, ascending: cells with a face in crowds_, and cells whose first two matched
+// faces lead to the same cell.
 std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)

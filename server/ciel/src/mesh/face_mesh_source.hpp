@@ -42,7 +42,7 @@ private:
     CellFaces faces_;
 };
 
-// Without Ids::operator[], whose checks cost time in a pass over all faces.
+// Does not use Ids::operator[], because its checks cost time in a pass over all faces.
 template <class Visit>
 void FaceMeshSource::for_faces(Visit&& visit) const {
     const auto owners = mesh_.owner.unchecked(), neighbours = mesh_.neighbour.unchecked();

@@ -1,4 +1,4 @@
-// The faces of consecutive cells, with mesh-wide numbers: what Algorithm 5 (paper, appendix A) reads for one block.
+// The faces of consecutive cells, with mesh-wide numbers: the input of Algorithm 5 (paper, appendix A) for one block.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -16,7 +16,9 @@ struct FaceLoops {
     std::vector<std::array<Index, 2>> mesh_cell; // loop -> mesh cells: owner, and neighbor or none
     std::vector<Index> begin;                    // loop -> first corner; the last entry is the number of corners
     std::vector<Index> vertex;                   // by corner: mesh vertex
-    // By cell: 2 * loop + side of its faces, in the order of mesh faces. Side 0 is the owner's, side 1 the neighbor's.
+    // cell_loop: 2 * loop + side, cell by cell, and in the order of mesh faces in each cell. Side 0 is the owner's,
+    // side 1 the neighbor's. cell_loop_begin: index in cell_loop of each cell's first face; the last entry is the size
+    // of cell_loop.
     std::vector<Index> cell_loop_begin, cell_loop;
 
     [[nodiscard]] Index loop_count() const { return static_cast<Index>(mesh_face.size()); }

@@ -17,7 +17,8 @@ Axes quantise(Vec3d unit) {
     return axes;
 }
 
-// Skilling's "transposed" index: the bits b of the three words are three consecutive bits of the key.
+// Converts coordinates to Skilling's "transposed" index: bit b of the three words gives three consecutive bits of the
+// key.
 void to_transposed(Axes& axes) {
     for (std::uint32_t q = 1U << (bits - 1); q > 1; q >>= 1) {
         const std::uint32_t below = q - 1;

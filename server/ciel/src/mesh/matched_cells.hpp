@@ -15,7 +15,7 @@ struct MatchedCells::Data {
     Data(const PolyhedraView& view, std::shared_ptr<const void> arrays) : input(view), owner(std::move(arrays)) {}
 
     detail::InputFaces input;
-    std::shared_ptr<const void> owner;  // of the input's arrays
+    std::shared_ptr<const void> owner;  // owns the arrays of `input`
     std::vector<Index> order;           // stored cell -> input cell
     std::vector<Index> neighbour;       // input face -> stored cell on the other side, or none
     std::vector<std::uint8_t> turn;     // input face -> 1 if its loop must be reversed

@@ -34,7 +34,7 @@ private:
     struct Other {
         Index face;            // mesh face
         Index loop;            // in out_, or not_listed
-        Index owner, of_owner; // of_owner: input face, if the face is not listed
+        Index owner, of_owner; // of_owner: input face of the owner; none if the face is listed
     };
 
     void list_own() {
@@ -67,7 +67,7 @@ private:
             if (other.loop == not_listed) append(other.face, {other.owner, cell}, other.of_owner);
         }
     }
-    // `face`: input face of `cell` that is also a face of `owner`.
+    // Returns where a shared face is stored. `face`: input face of `cell` that is also a face of `owner`.
     [[nodiscard]] Other shared_face(Index owner, Index cell, Index face) {
         const Index first = cells_.own_begin[owner];
         if (owner >= begin_) {
@@ -89,7 +89,8 @@ private:
             find(own, &OwnFace::other, owner, cell, face, [&](Index k) { read(owner, own[k].face, loop_); });
         return {first + i, not_listed, owner, own[i].face};
     }
-    // Keeps the faces of large cells, because many cells of the block may have a face of the same one.
+    // Returns the faces that the cell owns. Keeps the lists of large cells, because many cells of the block may share a
+    // face with the same large cell.
     [[nodiscard]] std::span<const OwnFace> own_faces(Index cell) {
         constexpr Index large = 64;
         if (cells_.own_begin[cell + 1] - cells_.own_begin[cell] < large) {
@@ -100,8 +101,8 @@ private:
         if (kept.empty()) cells_.list_own(cell, kept);
         return kept;
     }
-    // Returns the index of the owner's face behind which `cell` is. Two cells that share several faces need a
-    // comparison of the corners. read_loop(i) sets loop_ to the i-th face of the owner.
+    // Returns the index, among the faces of the owner, of the face that `cell` also has. If the two cells share several
+    // faces, the corners are compared. read_loop(i) sets loop_ to the i-th face of the owner.
     template <class Faces, class OtherCell, class ReadLoop>
     [[nodiscard]] Index find(const Faces& faces, OtherCell other_cell, Index owner, Index cell, Index face,
                              ReadLoop&& read_loop) {

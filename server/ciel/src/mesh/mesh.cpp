@@ -22,7 +22,11 @@ struct Mesh::State {
 
 namespace {
 
-// The report has indices in PolyhedraLists, which leaves out cells without volume.
+// Returns the number of cells of a mesh whose last cell has this id. A negative id means no cell.
+std::size_t cells_with(std::int64_t last) { return last < 0 ? 0 : static_cast<std::size_t>(last) + 1; }
+
+// Replaces the indices of cells in PolyhedraLists by the caller's ids. They differ, because PolyhedraLists leaves out
+// cells without volume.
 void name_source_cells(const std::vector<Index>& source, AssembleReport& report) {
     const auto name = [&source](std::vector<Index>& ids) {
         for (Index& id : ids) id = source[id];
@@ -68,10 +72,9 @@ Mesh Mesh::from_polyhedra(const ArrayView& points, const ArrayView& cell_offset,
 Mesh Mesh::from_faces(const ArrayView& points, const ArrayView& face_offset, const ArrayView& face_vertex,
                       const ArrayView& owner, const ArrayView& neighbour) {
     std::size_t cells = 0;
-    for (std::size_t face = 0; face < owner.rows(); ++face)
-        cells = std::max(cells, static_cast<std::size_t>(owner.integer(face) + 1));
+    for (std::size_t face = 0; face < owner.rows(); ++face) cells = std::max(cells, cells_with(owner.integer(face)));
     for (std::size_t face = 0; face < neighbour.rows(); ++face)
-        cells = std::max(cells, static_cast<std::size_t>(std::max<std::int64_t>(neighbour.integer(face), -1) + 1));
+        cells = std::max(cells, cells_with(neighbour.integer(face)));
     return make(points, cells,
                 [&](PolyhedraLists& lists) { put_owner_faces(face_offset, face_vertex, owner, neighbour, lists); });
 }

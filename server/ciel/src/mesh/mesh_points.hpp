@@ -16,7 +16,7 @@ struct MeshPoints {
     [[nodiscard]] ValuesView view() const { return doubles.empty() ? ValuesView(floats) : ValuesView(doubles); }
 };
 
-// Returns the rows `order` of `points` (V x 3); all rows if `order` is empty.
+// Returns the rows of `points` (V x 3) whose indices are in `order`, in this order; all rows if `order` is empty.
 [[nodiscard]] MeshPoints mesh_points(const ArrayView& points, std::span<const Index> order = {});
 
 // Returns the middle of the bounding box of the finite points, or zero if there are none.

@@ -26,7 +26,7 @@ Loop canonical(const Loop& loop) {
     return least;
 }
 
-// Returns an empty list when all faces have collapsed, or when a face occurs twice.
+// Returns the sorted faces of a cell. Returns an empty list when all faces have collapsed, or when a face occurs twice.
 std::vector<Loop> faces_of(const InputFaces& input, Index cell) {
     std::vector<Loop> faces;
     InputFaces::Corners corners;

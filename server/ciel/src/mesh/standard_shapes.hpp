@@ -95,7 +95,7 @@ constexpr CellType type_of_faces(std::size_t faces, std::size_t half_edges, std:
     return CellType::polyhedron;
 }
 
-// Calls f.template operator()<shape>() and returns true if `type` is a standard type.
+// If `type` is a standard type, calls f.template operator()<shape>() and returns true; else returns false.
 template <class F>
 bool with_shape(CellType type, F&& f) {
     switch (type) {

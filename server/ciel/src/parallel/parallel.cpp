@@ -57,7 +57,8 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count <= grain) return body(0, count);
     if (limit_of_call == 0) return run_on_threads(count, grain, body);
     if (limit_of_call == 1) return run_in_turn(count, grain, body);
-    // Several bodies may start loops at the same time, and all together must not exceed the limit.
+    // Loops that a body starts run on the thread of the body only. Several bodies may start loops at the same time, and
+    // all together must not exceed the limit.
     run_on_threads(count, grain, [&](std::size_t begin, std::size_t end) {
         const CallLimit alone(1);
         body(begin, end);
@@ -70,7 +71,7 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
 
 namespace {
 std::unique_ptr<tbb::global_control> limit;
-// For more threads than processors: the default arena has only one slot for each processor.
+// Set if there are more threads than processors, because the default arena has only one slot for each processor.
 std::unique_ptr<tbb::task_arena> wide_arena;
 } // namespace
 

@@ -1,5 +1,5 @@
-// A function with this attribute is compiled twice: for AVX2, and for any x86-64 processor. The program chooses when it
-// starts. tests/unit/ciel/uses_vector_units checks the compiled code. Not in the paper.
+// A function with this attribute is compiled twice: for AVX2, and for any x86-64 processor. The loader chooses one of
+// them when the program starts. tests/unit/ciel/uses_vector_units checks the compiled code. Not in the paper.
 #pragma once
 
 // Builds with sanitizers do not use the attribute, because the loader would choose before the sanitizer is initialized.

@@ -1,5 +1,6 @@
-// Threshold, block by block. Does not read the values of a block whose range decides the flags of all its cells. Does
-// not read the faces of a block that cannot have a face between a kept cell and another cell.
+// Finds the cells whose values are in a range, and makes the surface around them, block by block. Does not read the
+// values of a block whose range decides for all its cells. Does not read the faces of a block that cannot have a face
+// between a kept cell and another cell.
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
 #include "blocks/inner_faces.hpp"
@@ -41,7 +42,7 @@ private:
     };
     template <class Local>
     void run(const PolyhedralSection<Local>& polyhedra) {
-        // Counted, because a changed record may name too many corners.
+        // The corners are counted, because a changed record may have too many.
         std::size_t corners = 0;
         for (Index i = 0; i < polyhedra.count(); ++i) {
             Seen seen;

@@ -32,8 +32,9 @@ public:
         for (const Index i : members) member_[cursor[place(corners[i])]++] = i;
     }
 
-    // Tests the corners in the grid cells that touch the rectangle from `low` to `high`. Subtracts the number of
-    // visited grid cells and corners from `steps`; returns false when `steps` becomes negative.
+    // Returns whether wanted(corner) is true for any corner in the grid cells that touch the rectangle from `low` to
+    // `high`. Subtracts the number of visited grid cells and corners from `steps`; returns false when `steps` becomes
+    // negative.
     template <class Wanted>
     [[nodiscard]] bool any(const Point& low, const Point& high, std::int64_t& steps, Wanted&& wanted) const {
         for (std::size_t row = index(low, 1); row <= index(high, 1); ++row)
@@ -76,7 +77,8 @@ public:
         for (Index i = 0; i < n; ++i) convex_[i] = area_at(i) > 0 ? 1 : 0;
     }
 
-    // Cuts off ears in rounds, so that the triangles are compact. Only neighbors of a cut-off corner can become ears.
+    // Cuts off ears in rounds, so that the triangles are compact. After the first round, a round tests only the
+    // neighbors of corners that the round before cut off, because only these can become ears.
     void run() {
         const Grid grid = grid_of_the_rest();
         for (Index i = 0; i < corners_.size(); ++i) next_.push_back(i);
@@ -93,7 +95,8 @@ public:
     }
 
 private:
-    // If the triangle of a corner contains any other corner, it also contains a corner that is not convex.
+    // Returns a grid of the corners that are not convex. If the triangle of a corner contains any other corner, it also
+    // contains a corner that is not convex.
     [[nodiscard]] Grid grid_of_the_rest() const {
         std::vector<Index> members;
         for (Index i = 0; i < corners_.size(); ++i)

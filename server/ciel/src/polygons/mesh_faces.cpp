@@ -85,7 +85,7 @@ Surface vertices_of_cells(const Topology& topology, const FaceMeshView& points, 
     const auto mark = [&used](Index vertex) {
         std::atomic_ref(used.get()[vertex]).store(1, std::memory_order_relaxed);
     };
-    // Marks all vertices except the last vertices of the mesh, which belong to no cell.
+    // Without flags, marks all vertices that belong to a cell. Vertices that belong to no cell have the last ids.
     if (kept.empty() && blocks.count() > 0)
         std::ranges::fill(used.all().first(blocks.numbers.vertex.back()), std::uint8_t{1});
     parallel_for(kept.empty() ? 0 : blocks.count(), 1, [&](std::size_t begin, std::size_t end) {

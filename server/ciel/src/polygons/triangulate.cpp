@@ -48,10 +48,11 @@ double worst_area(const Surface& surface, std::span<const Index> loop, const Vec
 
 struct Fan {
     std::size_t corner = 0;
-    bool folds = false; // whether a triangle is reversed by more than rounding
+    bool folds = false; // true if each tried fan has a reversed triangle of over 5 % of the mean area
 };
 
-// In a larger polygon, only 64 to 127 evenly spaced corners are tried, so that the time is linear.
+// In a polygon of up to 127 corners, all corners are tried. In a larger polygon, only 64 to 96 evenly spaced corners
+// are tried, so that the time is linear.
 constexpr std::size_t most_tried = 64;
 
 Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {
@@ -101,7 +102,7 @@ void append_triangles(const Surface& surface, std::span<const Index> loop, Trian
         append(surface, loop[fan.corner], loop[(fan.corner + i) % n], loop[(fan.corner + i + 1) % n], out);
 }
 
-// Each earlier polygon has room for corners - 2 triangles.
+// Returns the place of the polygon's triangles in the buffer. Each earlier polygon has room for corners - 2 triangles.
 std::size_t place_of(const Surface& surface, std::size_t polygon) {
     return 3 * (std::size_t{surface.polygon_offset[polygon]} - 2 * polygon);
 }

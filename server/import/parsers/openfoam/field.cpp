@@ -93,7 +93,7 @@ private:
     FoamField field_;
 };
 
-// A length in bytes. std::regex_match recurses once per character, so that longer names could overflow the stack.
+// In bytes. std::regex_match recurses once per character, so that longer names could overflow the stack.
 constexpr std::size_t longest_name = 256;
 
 bool matches(const std::string& pattern, const std::string& name) {

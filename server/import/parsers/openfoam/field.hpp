@@ -27,13 +27,14 @@ struct FoamField {
     FoamValues cells;
     std::vector<FoamCondition> conditions;
 
-    // Returns null if there is none. First comes a condition with the name of the patch, then the last condition with
-    // the name of one of its groups, then the last condition whose pattern matches the name.
+    // Returns the condition with the name of the patch. If there is none, returns the last condition with the name of
+    // one of the groups, else the last condition whose pattern matches the name of the patch, else null.
     [[nodiscard]] const FoamCondition* condition(const std::string& patch,
                                                  const std::vector<std::string>& groups) const;
 };
 
-// Returns 3 for volVectorField, 1 for volScalarField::Internal, and 0 for a class that is no field, for example.
+// Returns the number of components, for example 3 for volVectorField and 1 for volScalarField::Internal. Returns 0 if
+// the class is no field.
 [[nodiscard]] int foam_field_components(std::string_view class_name);
 
 // `most`: number of cells; a longer list is refused. FoamCondition::value is nullopt if the file lists no values.

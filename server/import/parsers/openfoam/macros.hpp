@@ -9,11 +9,12 @@
 
 namespace server::importer {
 
-// Returns nullopt if there is no such file.
+// Returns the text of an included file; nullopt if there is no such file.
 using LoadIncluded = std::function<std::optional<std::string>(std::string_view name)>;
 
-// Ignores #includeEtc, #inputMode and #remove. Throws Error for an unknown macro, a missing #include file, includes
-// nested more than 16 deep, and directives that only OpenFOAM can evaluate (#calc, #codeStream).
+// Returns `text` with all macros expanded. Ignores #includeEtc, #inputMode and #remove. Throws Error for an unknown
+// macro, a missing #include file, includes nested more than 16 deep, and directives that only OpenFOAM can evaluate
+// (#calc, #codeStream).
 [[nodiscard]] std::string expand_foam_macros(std::string text, const std::string& file, const LoadIncluded& load);
 
 } // namespace server::importer

@@ -51,7 +51,7 @@ void read_patch_entry(FoamReader& reader, std::string_view key, FoamPatch& patch
     reader.skip_entry();
 }
 
-// "N ( NAME { entries } ... )". Some files leave out the count N.
+// Reads "N ( NAME { entries } ... )". Some files leave out the count N.
 template <typename Item, typename ReadEntry>
 std::vector<Item> read_dictionaries(FoamReader& reader, const ReadEntry& read_entry) {
     std::vector<Item> items;

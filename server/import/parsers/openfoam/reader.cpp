@@ -245,7 +245,7 @@ std::vector<std::int64_t> FoamReader::labels(std::size_t most) {
     return values;
 }
 
-// The raw bytes of a binary list can look like brackets or semicolons.
+// Skips a binary list by its size, because its raw bytes can look like brackets or semicolons.
 void FoamReader::skip_list(std::string_view type) {
     if (!format_.is_binary) return;
     std::size_t item = static_cast<std::size_t>(foam_components(type)) * static_cast<std::size_t>(format_.scalar_bytes);

@@ -44,7 +44,7 @@ public:
     // count. Both throw Error if N is larger than `most`.
     [[nodiscard]] std::vector<std::int64_t> labels(std::size_t most);
     [[nodiscard]] std::vector<double> numbers(int components, std::size_t most); // each item has `components` numbers
-    // Throws Error if the number of items is larger than `most`.
+    // Reads the number of items of a list. Throws Error if this number is larger than `most`.
     [[nodiscard]] std::size_t items(std::size_t most);
     // Reads '(', then `bytes` raw bytes, then ')'. Returns the raw bytes.
     [[nodiscard]] std::string_view raw(std::size_t bytes);

@@ -154,7 +154,7 @@ private:
     }
     static std::string shown(const std::string& region) { return region.empty() ? "defaultRegion" : region; }
 
-    // source/input_grids.cpp recognizes the names of the VTK blocks.
+    // Returns the grid, patches and zones as VTK blocks with the names that source/input_grids.cpp recognizes.
     vtkSmartPointer<vtkMultiBlockDataSet> region_blocks(const std::string& region, double time, const FoamMesh& mesh) {
         const auto fields = read_foam_fields(foam_, region, time, mesh, infos_, lost_);
         vtkNew<vtkUnstructuredGrid> cells;
@@ -185,7 +185,7 @@ private:
     FoamFieldInfos infos_;
     std::map<std::string, Known> meshes_; // by region
     std::vector<std::string> lost_;
-    // For the step that was read last. The caller keeps the surfaces alive.
+    // Keys: surfaces of the step that was read last. The caller keeps the surfaces alive.
     std::map<vtkDataSet*, store::PatchFacts> facts_;
 };
 

@@ -156,7 +156,8 @@ private:
         return true;
     }
 
-    // The file has no values for some boundary conditions (zeroGradient, slip, symmetry).
+    // Gives the faces of the patch the values of their cells. Used for boundary conditions without values in the file
+    // (zeroGradient, slip, symmetry).
     void copy_from_cells(std::size_t i, const FoamPatch& patch, double* to) const {
         const FoamPiece& piece = mesh_.pieces[i];
         const FoamValues& cells = fields_[i]->cells;
@@ -194,7 +195,7 @@ public:
         }
     }
 
-    // A file without a readable header is a field if `infos` has its name.
+    // Returns the names of the fields. A file without a readable header is a field if `infos` has its name.
     [[nodiscard]] std::set<std::string> names(const FoamFieldInfos& infos) const {
         std::set<std::string> names;
         for (const fs::path& directory : directories_)

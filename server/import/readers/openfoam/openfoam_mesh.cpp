@@ -165,7 +165,8 @@ private:
         mesh_.points->SetData(coordinates);
     }
 
-    // VTK's face stream: the number of faces, then for each face the number of points and the points, wound outwards.
+    // Makes a polyhedron of each cell, with VTK's face stream: the number of faces, then for each face the number of
+    // points and the points, wound outwards.
     void make_cells() {
         vtkNew<vtkIdTypeArray> streams, locations, offsets, corner_ids;
         vtkNew<vtkUnsignedCharArray> types;
@@ -184,7 +185,8 @@ private:
         name_cells();
     }
 
-    // Names cells by their ids before decomposition (cellProcAddressing), or -1 where the processor has no such file.
+    // Sets the global ids of the cells to their ids before decomposition (cellProcAddressing), or to -1 if the
+    // processor has no such file.
     void name_cells() {
         const auto says = [](const FoamPieceFiles& files) { return !files.cell_addressing.empty(); };
         if (std::none_of(files_.begin(), files_.end(), says)) return;

@@ -44,7 +44,7 @@ private:
         return label >= 0 && static_cast<std::uint64_t>(label) < count;
     }
 
-    // Sets name_ to the path of the file, for error texts.
+    // Returns the content of a mesh file. Sets name_ to the path of the file, for error texts.
     std::string read(const std::string& name) {
         const fs::path file = root_.mesh_file(region_, name, time_);
         name_ = (root_.directory / "constant" / region_ / "polyMesh" / name).string();
@@ -59,7 +59,8 @@ private:
                 fail("contains cell " + std::to_string(cell) + ", which is negative or too large");
             piece_.cell_count = std::max(piece_.cell_count, static_cast<std::size_t>(cell) + 1);
         }
-        // A closed cell has at least four faces, and at most two cells share a face.
+        // A closed cell has at least four faces, and at most two cells share a face, so a mesh has more faces than
+        // cells.
         if (piece_.cell_count > piece_.owner.size())
             fail("contains more cells than the mesh has faces; the file is damaged");
     }

@@ -5,7 +5,7 @@ import { clamp } from "../../model/numbers";
 
 interface Options {
   newGesture: () => string;
-  /** The pointer was pressed outside all handles. Returns the index of the handle to drag; null for no drag. */
+  /** Called for a press outside all handles. Returns the index of the handle to drag; null for no drag. */
   pressed: (place: Place, gesture: string) => number | null;
   moved: (index: number, place: Place, gesture: string) => void;
 }
@@ -24,7 +24,7 @@ interface HandleDrag {
     onPointerUp: () => void;
     onPointerCancel: () => void;
   };
-  /** Returns the gesture name for a key event. It stays the same while the key is held down. */
+  /** Returns the gesture name for a key event. The name stays the same while the key is held down. */
   keyGesture: (event: KeyboardEvent) => string;
 }
 

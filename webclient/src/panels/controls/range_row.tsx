@@ -13,7 +13,7 @@ interface RangeRowProps {
   /** Width of the range, for the number of digits; undefined for a logarithmic scale. */
   span: number | undefined;
   setEnd: (end: 0 | 1, to: number) => void;
-  /** Whether the range follows the data. The button, whose tooltip is `dataTitle`, calls `setData`. */
+  /** Whether the range follows the data. The Data button calls `setData`; `dataTitle` is its tooltip. */
   ofData: boolean;
   dataTitle: string;
   setData: () => void;

@@ -15,7 +15,7 @@ interface ValueRowProps {
   values: readonly number[];
   range: Range;
   setValues: (values: number[]) => void;
-  /** Label if there is only one value. `numbered`: label of each of several values, followed by the value's number. */
+  /** `alone`: label of a single value. `numbered`: start of the label of each of several values; its number follows. */
   alone: string;
   numbered: string;
   children?: JSX.Element;

@@ -1,4 +1,4 @@
-// Settings of boundary layers. Each layer shows the whole boundary or some patches, and has looks of its own.
+// Settings of boundary layers. Each layer shows the whole boundary or some patches, and has its own coloring and edges.
 import type { JSX } from "preact";
 import { DEFAULTS, type SurfaceLayer } from "../../generated/protocol";
 import { freshSolid } from "../../model/new_looks";

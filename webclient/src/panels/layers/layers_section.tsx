@@ -1,4 +1,4 @@
-// List of all layers in order. Each can be shown, hidden, and moved by dragging or keys.
+// List of all layers in their order. A layer can be shown, hidden, and moved by dragging or by buttons.
 import type { JSX, RefObject } from "preact";
 import { useEffect, useRef, useState, type MutableRef } from "preact/hooks";
 import { layerNames } from "../../model/layer_names";
@@ -70,7 +70,10 @@ function LayerRow({ id, name, visible, reason, place, count, move, mark, drag }:
   );
 }
 
-/** A moved row loses the focus. At an end of the list, the button of the opposite direction gets the focus. */
+/**
+ * Gives the focus back to the button that has moved a row, because a moved row loses the focus. At an end of the list,
+ * this button is disabled, and the button of the opposite direction gets the focus.
+ */
 function useFocusOfMoved(
   list: RefObject<HTMLOListElement>,
   moved: MutableRef<{ id: string; step: Step } | null>,

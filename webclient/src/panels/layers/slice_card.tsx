@@ -71,7 +71,7 @@ interface SliceCardProps {
   slices: Slices;
   isOpen: boolean;
   fold: () => void;
-  /** Returns true once for a new slice. Its slider then gets the focus, so that keys move the slice at once. */
+  /** Returns true once for a new slice. The slice's slider then gets the focus, so that keys move the slice at once. */
   takesFocus: () => boolean;
 }
 

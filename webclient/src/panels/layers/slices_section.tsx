@@ -15,7 +15,7 @@ export function SlicesSection(): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
   const layers = useLayers();
-  // At first only the first slice is unfolded, so that the positions of all slices are visible.
+  // null at first: only the first slice is unfolded, so that the positions of all slices are visible.
   const [opened, setOpened] = useState<readonly string[] | null>(null);
   const first = useRef<string | undefined>(undefined);
   const added = useRef<string | null>(null);

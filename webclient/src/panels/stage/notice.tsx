@@ -11,7 +11,7 @@ import { useLasting } from "../controls/lasting";
 import { TokenForm } from "./token_form";
 import { useCommands, useModel } from "../context";
 
-/** Returns the seconds until `at` (Date.now()), and renders the panel again while they count down. */
+/** Returns the seconds until `at` (Date.now()). Renders the panel again during the countdown. */
 function useCountdown(at: number | null): number {
   const [now, setNow] = useState(Date.now);
   useEffect(() => {
@@ -125,7 +125,7 @@ const EMPTY = "No visible layer meets the data at this time.";
 
 const MOST_REASONS = 3;
 
-/** Returns [] if a visible layer shows something. */
+/** Returns sentences that say why the picture is empty. Returns [] if a visible layer shows something. */
 function reasonsOf(scene: Scene | null, empty: readonly EmptyLayer[]): string[] {
   const shown = layersInOrder(scene).filter(
     ([, layer]) => layer.visible !== false && layer.type !== "outline" && layer.type !== "clip",
@@ -164,7 +164,7 @@ function useLate(): boolean {
   return useLasting(behind, LATE_MS);
 }
 
-/** Returns the reason why the picture is not up to date; null if it is, and without a connection. */
+/** Returns the reason why the picture is out of date; null for a current picture, or without a connection. */
 function useDelay(): string | null {
   const connected = useModel((model) => model.connection.value.kind === "open");
   const opening = useModel(openingIn);

@@ -227,7 +227,7 @@ function Legend({ entry, boxOf, text, zoom, floats }: LegendProps): JSX.Element 
   );
 }
 
-/** Returns the sizes for CanvasSize.corner, plus ROOM. */
+/** Returns the rectangles for CanvasSize.corner, enlarged by ROOM. */
 const cornersOf = ({ handles }: Overlay, stage: Size): Size[] =>
   handles
     .filter(({ id }) => /^legend \d+$/.test(id))

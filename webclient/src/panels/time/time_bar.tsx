@@ -7,7 +7,6 @@ import { useCommands, useModel } from "../context";
 const NO_TIMES: readonly number[] = [];
 const RATES = [2, 5, 10, 20, 60];
 
-/** The buttons that step and play. */
 function Steps({ step, last }: { step: number; last: number }): JSX.Element {
   const commands = useCommands();
   const playing = useModel((model) => model.playing.value);
@@ -38,7 +37,6 @@ function Steps({ step, last }: { step: number; last: number }): JSX.Element {
   );
 }
 
-/** How playing goes on at the end, and how fast it is. */
 function Pace(): JSX.Element {
   const commands = useCommands();
   const loop = useModel((model) => model.loop.value);
@@ -68,7 +66,8 @@ export function TimeBar(): JSX.Element {
     useModel((model) => (model.chosen.value === null ? model.description.value?.times : undefined)) ?? NO_TIMES;
   const time = useModel((model) => model.scene.value?.time);
   if (times.length < 2) {
-    // Reserves the space of the time bar. If the bar appeared later, the canvas would shrink, and the picture would be drawn twice.
+    // Reserves the space of the time bar. If the bar appeared later, the canvas would shrink, and the picture would be
+    // drawn twice.
     return (
       <section class="time-bar hint" aria-label="Time">
         {times.length === 1 && "This dataset has one time step."}

@@ -88,7 +88,7 @@ function Ends({ range, units }: { range: Range; units: string }): JSX.Element {
   );
 }
 
-/** Returns the points after a key was pressed on one of them. Returns null if the key has no meaning there. */
+/** Returns the points after a key press on the point `index`. Returns null for a key without effect. */
 function afterKey(event: KeyboardEvent, points: readonly OpacityPoint[], index: number): OpacityPoint[] | null {
   const point = points[index];
   if (point === undefined) return null;

@@ -3,7 +3,14 @@ import type { JSX } from "preact";
 import { DEFAULTS, LIMITS, type Range, type VolumeLayer } from "../../generated/protocol";
 import { rangeOf } from "../../model/color_scale";
 import { coloredBy } from "../../model/new_looks";
-import { DEFAULT_OPACITY, firstOpacity, inserted, middleOfGap, type OpacityPoint } from "../../model/opacity";
+import {
+  DEFAULT_OPACITY,
+  firstOpacity,
+  inserted,
+  middleOfGap,
+  MOST_POINTS,
+  type OpacityPoint,
+} from "../../model/opacity";
 import { arrayOf, firstScalar, layersOf, scalarsOf, unitsOf } from "../../model/scalars";
 import { ColoringFields, OpacityField } from "../color/coloring";
 import { Check, IconButton, NumberField, Section, SelectField } from "../controls/controls";
@@ -91,11 +98,13 @@ function VolumeCard({ id, layer }: { id: string; layer: VolumeLayer }): JSX.Elem
           options={scalarsOf(description).map(({ name }) => ({ value: name, text: name }))}
           onChange={(array) => commands.layers.set(id, { array, color: { array: null, range: null } })}
         />
-        <IconButton
-          icon="plus"
-          label="Add an opacity point"
-          onClick={() => setPoints(inserted(points, middleOfGap(points))[0])}
-        />
+        {points.length < MOST_POINTS && (
+          <IconButton
+            icon="plus"
+            label="Add an opacity point"
+            onClick={() => setPoints(inserted(points, middleOfGap(points))[0])}
+          />
+        )}
         <RemoveButton label="Remove this volume" onClick={() => commands.layers.remove(id)} />
       </div>
       <OpacityEditor
