@@ -6,7 +6,7 @@
 
 namespace server::importing {
 
-// Files in `folder` keep their path below it, and the folder itself keeps its name.
+// Removes the path of `folder` from a sentence: the name of the folder remains, and the paths of its files below it.
 [[nodiscard]] std::string without_folder(std::string sentence, const std::filesystem::path& folder);
 
 } // namespace server::importing

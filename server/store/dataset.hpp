@@ -90,7 +90,8 @@ public:
     [[nodiscard]] virtual std::optional<std::int64_t> solver_vertex(std::size_t mesh, ciel::Index vertex) const = 0;
     [[nodiscard]] virtual std::optional<std::int64_t> solver_cell(std::size_t mesh, ciel::Index cell) const = 0;
     // Returns `components` numbers for each vertex, cell or boundary face, interleaved. Empty if the array was not
-    // written at this step. Throws Error for an unknown array, a late array or a damaged chunk.
+    // written at this step. Throws Error for an unknown array, an array that is still to be read from its source, or a
+    // damaged chunk.
     [[nodiscard]] virtual Values values(const std::string& array, std::size_t step) const = 0;
     // Like values, but reads nothing yet. Before the caller uses values, it must load them with CheckedFile::load,
     // which reads them and verifies their checksums.

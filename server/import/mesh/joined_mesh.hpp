@@ -98,7 +98,7 @@ private:
 // that is not finite, or more than 2^32 - 2 points or cells.
 [[nodiscard]] JoinedMesh join_input_grids(const std::vector<InputGrid>& volumes, const std::filesystem::path& folder);
 
-// Returns x, y, z of each running point: floats if floats equal all numbers of the input, else doubles.
+// Returns x, y, z of each running point: floats if these are exact for all numbers of the input, else doubles.
 [[nodiscard]] store::Values point_positions(const std::vector<JoinedMesh::Member>& members, ciel::Index point_count);
 
 // Returns the number of edges, without those from a vertex to itself, which collapsed cells have.

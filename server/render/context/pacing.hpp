@@ -42,7 +42,8 @@ private:
 
 void next_pass(const Gl& gl);
 
-// Calls work(begin, end) and next_pass() for pieces of a few milliseconds, so that work on the CPU can be cancelled.
+// Divides the indices below `count` into pieces of a few milliseconds. Calls work(begin, end) and then next_pass() for
+// each, so that work of the CPU can be cancelled.
 template <typename Work>
 void in_pieces(const Gl& gl, std::size_t count, const Work& work) {
     constexpr std::size_t piece = std::size_t{1} << 16U;

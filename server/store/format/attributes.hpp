@@ -23,7 +23,7 @@ struct MeshAttributes {
     ciel::Vec3d origin{};
     MeshInfo info;
     std::vector<GroupName> groups;
-    // Checksum by name of the topology array. The name of a group is "groups/<index>".
+    // Checksum by name of the topology array. Groups have checksums, too, by the name "groups/<index>".
     std::map<std::string, std::string> checksums;
     // One checksum for each coordinate set, by index. Sets that were added last with plain Zarr have no entry.
     std::vector<std::string> coordinate_checksums;

@@ -16,8 +16,8 @@ namespace ciel {
 // or an index of the mesh is out of range, and uses all threads of parallel_for.
 class PointInterpolation {
 public:
-    // `boundary`: the positions of the topology's vertices, which must be loaded, and the boundary faces of the mesh;
-    // other faces are ignored.
+    // `boundary`: has the positions of the topology's vertices, and the boundary faces of the mesh. The positions must
+    // be loaded. Other faces are ignored.
     PointInterpolation(const Topology& topology, const FaceMeshView& boundary);
 
     // Converts cell values to point values. `cell_values`: `components` interleaved values for each cell. REQUIRES:

@@ -7,7 +7,7 @@
 
 namespace ciel::detail {
 
-// Throw Error that names the block, if the view is not valid. Links to other blocks are compared with `numbers`.
+// Throw Error, which names the block, if its record is not valid. Links to other blocks must fit `numbers`.
 void check_cells(const Block& block, Index number, const BlockNumbers& numbers);
 void check_around(const Block& block, const BlockAround& around, Index number, const BlockNumbers& numbers);
 void check_mates(const Block& block, const BlockMates& mates, Index number, const BlockNumbers& numbers);

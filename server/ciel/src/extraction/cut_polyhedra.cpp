@@ -165,7 +165,8 @@ bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) 
     return true;
 }
 
-// A cell on side 1 of the face sees the stored loop reversed, so that the descending edge is the entry edge.
+// A cell on side 1 of the face sees the stored loop reversed. There, the polygon enters the face at its descending
+// edge.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
     const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];

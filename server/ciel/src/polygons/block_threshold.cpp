@@ -98,7 +98,7 @@ std::size_t count_cells_without_value(const Field& field, ValuesView values, boo
     const Field::Data& data = field.data();
     const Topology::Blocks& blocks = data.topology->blocks();
     if (values.size() != data.topology->counts().vertices)
-        fail("counting cells without a value needs one value for each vertex; pass the values from which the field was "
+        fail("the number of values is not the number of vertices; pass the values from which the field was "
              "made");
     std::atomic<std::size_t> count{0};
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {

@@ -11,8 +11,9 @@ namespace ciel::detail {
 
 // Triangulates a polygon. `corners`: at least three, counter-clockwise. Appends corners.size() - 2 triangles to `out`,
 // as indices in `corners`, with the winding of the polygon. If the polygon does not cross itself, the triangles cover
-// it exactly once. If it crosses itself, some triangles are reversed or have no area. A step is a visit of a grid cell
-// or of a corner. After 512 * corners.size() steps, the remaining corners are cut off without a test.
+// it exactly once. If it crosses itself, some triangles are reversed or have no area. The search for ears uses a grid
+// of the corners. Each visit of a grid cell or of a corner is a step. After 512 * corners.size() steps, the remaining
+// corners are cut off without a test.
 void clip_ears(std::span<const std::array<double, 2>> corners, std::vector<Index>& out);
 
 } // namespace ciel::detail
