@@ -7,7 +7,7 @@
 namespace server::engine {
 
 OpenSession::OpenSession(std::string id, const EngineServices& services,
-                         std::shared_ptr<const sessions::SceneVersion> first, Opener opener,
+                         std::shared_ptr<const sessions::SceneVersion> first, LoggedCall opener,
                          const sessions::UndoRedoSteps& steps)
     : Session(std::move(id), services, std::move(first), steps), services_(services), opener_(std::move(opener)),
       scene_geometry_(services.extraction), surfaces_(services.memory, limits::Held::surfaces) {}

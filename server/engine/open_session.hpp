@@ -16,14 +16,14 @@ namespace server::engine {
 // Thread-safe. All views and calls share one geometry. A new version makes only the changed layers again.
 class OpenSession final : public sessions::Session {
 public:
-    struct Opener {
-        std::string user, request; // name for logs, and id of the call; empty: not known
+    struct LoggedCall {
+        std::string user, remote, request; // name for logs, address, id of the call; empty: not known
     };
     // `steps`: undo and redo steps of the session. Steps beyond the limits of the history are dropped.
     OpenSession(std::string id, const EngineServices& services, std::shared_ptr<const sessions::SceneVersion> first,
-                Opener opener, const sessions::UndoRedoSteps& steps = {});
+                LoggedCall opener, const sessions::UndoRedoSteps& steps = {});
 
-    [[nodiscard]] const Opener& opener() const { return opener_; }
+    [[nodiscard]] const LoggedCall& opener() const { return opener_; }
 
     // Makes the geometry on the calling thread. Concurrent calls run one after another. Returns null if `stop` was
     // requested. `moving`, `layers_made`: see SceneGeometry::update. Throws Error, LimitReached.
@@ -41,7 +41,7 @@ private:
     void forget_surfaces(); // requires geometry_mutex_ to be held
 
     const EngineServices& services_;
-    const Opener opener_;
+    const LoggedCall opener_;
     std::mutex geometry_mutex_; // never locked while the session's own mutex is held
     geometry::SceneGeometry scene_geometry_;
     limits::Memory::Charge surfaces_;

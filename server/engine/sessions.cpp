@@ -22,24 +22,20 @@ std::string random_id() {
 
 double seconds_since(Clock::time_point then) { return std::chrono::duration<double>(Clock::now() - then).count(); }
 
-// `request` and `user` in the log line belong to the call of session.open.
-void tell_closed(const OpenSession& session, const char* why) {
+void tell_closed(const OpenSession& session, const char* why, const OpenSession::LoggedCall& by) {
     logging::log_event(logging::LogLevel::info, "session closed",
                        {{"session", logging::short_id(session.id())},
                         {"why", why},
                         {"seconds", seconds_since(session.opened())},
-                        {"request", session.opener().request},
-                        {"user", session.opener().user}});
-}
-void tell_closed(const sessions::Session& session, const Caller& by) {
-    logging::log_event(logging::LogLevel::info, "session closed",
-                       {{"session", logging::short_id(session.id())},
-                        {"why", "by a client"},
-                        {"seconds", seconds_since(session.opened())},
                         {"request", by.request},
-                        {"user", by.connection.user},
-                        {"remote", by.connection.remote}});
+                        {"user", by.user},
+                        {"remote", by.remote}});
 }
+
+// The line names the call that opened the session, because the server ended it.
+void tell_closed(const OpenSession& session, const char* why) { tell_closed(session, why, session.opener()); }
+
+OpenSession::LoggedCall logged(const Caller& by) { return {by.connection.user, by.connection.remote, by.request}; }
 
 } // namespace
 
@@ -74,8 +70,7 @@ std::shared_ptr<OpenSession> Sessions::open(const std::string& id, const std::fu
     if (const auto found = sessions_.find(id); found != sessions_.end()) return found->second;
     check();
     const std::string name = id.empty() ? random_id() : id;
-    auto session = std::make_shared<OpenSession>(name, services_, std::move(first),
-                                                 OpenSession::Opener{by.connection.user, by.request}, steps);
+    auto session = std::make_shared<OpenSession>(name, services_, std::move(first), logged(by), steps);
     sessions_[name] = session;
     logging::log_event(logging::LogLevel::info, "session opened",
                        {{"session", logging::short_id(name)},
@@ -105,7 +100,7 @@ void Sessions::close(const std::string& id, const Caller& by) {
     const auto session = find(id);
     session->close();
     const std::scoped_lock lock(mutex_);
-    if (sessions_.erase(id) > 0) tell_closed(*session, by);
+    if (sessions_.erase(id) > 0) tell_closed(*session, "by a client", logged(by));
 }
 
 std::shared_ptr<View> Sessions::open_view(OpenSession& session, const std::shared_ptr<sessions::Connection>& connection,
