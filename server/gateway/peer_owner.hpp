@@ -30,7 +30,7 @@ struct SocketRow {
 [[nodiscard]] std::string socket_name(const asio::ip::address& address, unsigned short port);
 
 // Returns "LOCAL REMOTE" for each established socket that a process of `user` holds. Returns nothing for user 65534
-// (nobody), because inside a user namespace (container) all outside users have this number.
+// (nobody). In a container, all users outside the container have this number.
 [[nodiscard]] std::set<std::string> sockets_of(std::istream& table, std::uint32_t user);
 
 // The established sockets of this process's user. Not thread-safe.

@@ -1,5 +1,5 @@
-// Tells the user how to open a file that was dropped on the page. The page cannot open the file, because the server
-// reads only files of its own machine.
+// Tells the user how to open a file that was dropped on the page. The page cannot open the file: the server reads
+// only files on the machine where it runs.
 
 const isFile = (event: DragEvent): boolean => event.dataTransfer?.types.includes("Files") ?? false;
 

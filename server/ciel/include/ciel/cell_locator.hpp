@@ -14,8 +14,8 @@ namespace ciel {
 using VertexWeights = std::vector<std::pair<Index, double>>; // (vertex, weight); the weights sum to 1
 
 // Immutable; any thread may use it. A call reads only blocks whose box contains the position, or the block of the given
-// cell. A locator is cheap to make, because it has no search structure of its own. It keeps no results between calls.
-// Every function throws Error when a record or a position cannot be read.
+// cell. A locator is cheap to make: it has no search structure of its own, and keeps no results between calls. Every
+// function throws Error when a record or a position cannot be read.
 class CellLocator {
 public:
     // `points`: the mesh of the topology; its faces are not used. `boxes`: the result of block_boxes for the positions
