@@ -255,8 +255,8 @@ HalfEdge Topology::Blocks::turn_back(HalfEdge h, Index steps, Index face_size) c
 }
 
 void Topology::Blocks::refuse_half_edge() {
-    fail("a half-edge does not exist in this mesh; pass one that this mesh returned. If it did, the mesh is damaged: "
-         "build or import it again");
+    fail("a half-edge does not exist in this mesh; pass one that this mesh returned. If it did, the mesh is damaged; "
+         "import the dataset again");
 }
 
 } // namespace ciel
