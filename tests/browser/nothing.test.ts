@@ -143,7 +143,7 @@ describe("nothing", { skip }, () => {
     await field.fill("7");
     await field.press("Enter");
     await client.page.getByText("No slice: z goes from 0 to 1.").waitFor();
-    await client.page.getByText("None of the layers that are switched on meets the data").waitFor();
+    await client.page.getByText("No visible layer meets the data at this time").waitFor();
     await client.keep("empty");
     await field.fill("0.25");
     await field.press("Enter");

@@ -178,7 +178,7 @@ describe("writing", { skip }, () => {
     await client.button("Add a volume").click();
     await client.settled();
     await client.page.waitForTimeout(300);
-    assert.equal(await client.page.getByText("None of the layers").count(), 0);
+    assert.equal(await client.page.locator(".lacking").count(), 0);
     const plain = await client.picture();
     const volume = client.page.getByRole("article", { name: /^Volume of/ });
     await volume.getByRole("button", { name: /^Color scale of/ }).click();
