@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const sessions::SceneVersion& version,
                                                                      const std::stop_token& stop, bool moving = false,
                                                                      const geometry::LayersMade& layers_made = {});
-    void release_geometry(); // frees the geometry of a session without viewers
+    void release_geometry(); // frees the geometry; call if the session has no viewer and no subscriber
     // Frees the geometry, unless the session has a subscriber or viewer or was used since `unused_since`, or another
     // thread uses the geometry.
     void release_idle_geometry(Clock::time_point unused_since);

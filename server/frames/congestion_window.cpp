@@ -20,7 +20,7 @@ constexpr double noise = 0.005; // seconds by which a frame in a growing queue m
 constexpr double longest_route = 1;
 constexpr seconds soonest_lasts{10}; // soonest_ is then measured again, because the route may have become longer
 constexpr seconds rate_lasts{30};
-constexpr seconds best_lasts{2}; // period of Highest, so that a rate is used for 2 to 4 seconds
+constexpr seconds best_lasts{2}; // shortest period of Highest: while frames wait, a rate is used for 2 to 4 seconds
 constexpr double full = 0.9;     // share of the best rate; at a lower rate, a late frame was not delayed by the line
 constexpr std::size_t most_frames = 64;
 

@@ -93,8 +93,8 @@ std::span<const Route> routes() { return table; }
 Resolved resolve(const GatewayState& state, const Request& request) {
     auto target = parse_target(request.target);
     if (!target)
-        return refused(
-            sentence(400, "The path of the request is malformed; check its percent signs and control characters."));
+        return refused(sentence(
+            400, "The path or query of the request is malformed; check percent signs and control characters."));
     if (!host_allowed(state.access, request.host))
         return refused(sentence(403, "The host name " + request.host +
                                          " is not allowed on this server; allow it with --allowed-host."));

@@ -21,8 +21,8 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, error);
 }
 
-// Returns whether the dataset of these late files was removed or replaced. `late`: a directory named by the dataset's
-// id.
+// Returns whether the dataset was removed or replaced. `late`: the directory of its late files, whose name is the
+// dataset's id.
 bool is_forgotten(const fs::path& late) {
     const fs::path name = late / dataset_file;
     if (!is_there(name)) return false; // written by an earlier version; kept, because the dataset is not known
@@ -97,8 +97,8 @@ fs::path LateFiles::writable() const {
     const bool is_writable =
         ::access(dataset_.c_str(), W_OK) == 0 && ::access((dataset_ / "meshes").c_str(), W_OK) == 0;
     if (!is_writable && elsewhere_.empty())
-        refuse(dataset_, "cannot be written to, and there is no folder for values that are read later; make the "
-                         "directory writable");
+        refuse(dataset_, "cannot be written to, and there is no folder for values that are read after the import; make "
+                         "the directory writable, or give --late-folder");
     return is_writable ? dataset_ : elsewhere_;
 }
 

@@ -66,7 +66,8 @@ public:
             return data;
         } catch (const ciel::Error& error) {
             const std::string what = error.what();
-            // In an array of integers, VTK reads only the first digit of a stand-in. VTK's error quotes the rest.
+            // If an array is of integers, VTK reads only the first digit of a stand-in for NaN or infinity. VTK's error
+            // quotes the other digits.
             for (const StandIn& stand_in : stand_ins)
                 if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
                     throw ciel::Error(file_ + ": holds nan or inf where whole numbers are declared");

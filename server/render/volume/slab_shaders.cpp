@@ -228,7 +228,8 @@ void main() {
     } else {
         part.y = t;
         float begin = front(slice, part, half_depth);
-        bool begins_here = part.x >= 0.0 && is_in_slab(start + across * part.x); // the entry's face draws the piece
+        // Whether the ray enters the mesh in this slab. The fragment of the front face there then draws the piece.
+        bool begins_here = part.x >= 0.0 && is_in_slab(start + across * part.x);
         if (first.z >= slice && !begins_here && yields(slice, part, half_depth)) from = begin;
         to = min(t, first.z);
     }

@@ -403,7 +403,7 @@ export class SceneEditor {
         if (this.server !== server) return;
         this.asking = false;
         if (this.differsFromServer)
-          this.doubtful = true; // changed during the call: fetch again after the answer to the change
+          this.doubtful = true; // the scene changed during get(): fetch again after the answer to the change
         else {
           this.history.found(state.scene);
           this.adopt(state, []);

@@ -147,7 +147,7 @@ void Writer::write_normal(const ActiveBlock& cut, const Vec3f* gradient, Index e
     out_.normals[point] = unit(between);
 }
 
-// A block that adopts an edge is active, and write_points has loaded the positions of all active blocks.
+// An adopted edge (AdoptedEdges) is in an active block. write_points has already loaded the positions of that block.
 void Writer::write_adopted() {
     const std::span<const AdoptedEdges::Edge> edges = scratch_.adopted.edges();
     parallel_for(edges.size(), 1024, [&](std::size_t begin, std::size_t end) {

@@ -258,8 +258,9 @@ void Matcher::spread_from(Index start) {
 }
 
 // Matches the faces of a group of more than two equal faces. A cell that collapsed to such a face has the face twice,
-// once per side. Such cells are put in a chain between the one or two cells that have the face once. In all other
-// cases, the faces of the group stay unmatched.
+// once per side. Such cells are put in a chain between the one or two cells that have the face once. The two faces
+// of each such cell, and the two single faces, must have opposite windings. In all other cases, the faces of the group
+// stay unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;

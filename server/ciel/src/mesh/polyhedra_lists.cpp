@@ -194,7 +194,7 @@ void put_vtk_cells(const VtkCells& cells, PolyhedraLists& lists) {
         else if (std::ranges::find(without_volume, type) != without_volume.end())
             ++lists.skipped;
         else
-            fail("cell " + std::to_string(cell) + " has type " + std::to_string(type) + ", which VTK does not have");
+            fail("cell " + std::to_string(cell) + " has type " + std::to_string(type) + ", which CIEL does not read");
     }
 }
 

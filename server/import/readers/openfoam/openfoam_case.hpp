@@ -48,7 +48,8 @@ void require_regular_files_of(const FoamCase& foam);
 // Returns `file`, or `file` with .gz appended, whichever exists first; or else an empty path.
 [[nodiscard]] std::filesystem::path plain_or_compressed(const std::filesystem::path& file);
 
-// Decompresses a .gz file. Throws Error that names the file if it cannot be read, or is a pipe, a socket or a device.
+// Returns the first `most` bytes of a file, decompressed if it is a .gz file. Throws Error that names the file if it
+// cannot be read, or is a pipe, a socket or a device.
 [[nodiscard]] std::string read_foam_file(const std::filesystem::path& file, std::size_t most = ~std::size_t{0});
 
 } // namespace server::importer
