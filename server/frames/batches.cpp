@@ -29,28 +29,28 @@ wire::EncodedGeometry geometry_messages(wire::FrameHeader& header, const geometr
     // A cap is the section of a mesh in a clip plane. Rounding moves the points of a cap by up to one grid step, so the
     // planes are shifted by one step. Otherwise a plane would clip its cap.
     for (auto& plane : planes) plane[3] += static_cast<float>(grid);
-    std::vector<wire::Primitives> meshes;
+    std::vector<wire::Primitives> all;
     for (const geometry::Drawable& drawable : geometry.drawables) {
         const ciel::Surface& surface = drawable.shape->surface;
-        wire::Primitives mesh;
-        mesh.layer = drawable.layer;
-        mesh.positions = surface.positions;
-        if (drawable.polygons()) mesh.normals = surface.normals;
-        if (drawable.scalars) mesh.scalars = *drawable.scalars;
-        mesh.value_step = value_step(drawable.scale);
-        mesh.indices = drawable.indices();
-        mesh.lines = drawable.lines();
-        mesh.points = drawable.points();
-        mesh.line_width = drawable.line_width * static_cast<float>(pixel_ratio);
-        mesh.map = drawable.scale.map;
-        mesh.range = drawable.scale.range;
-        mesh.color = drawable.color;
-        mesh.lit = drawable.lit;
-        mesh.scale = geometry::json_of(drawable.scale).dump();
-        mesh.clip = planes;
-        meshes.push_back(std::move(mesh));
+        wire::Primitives primitives;
+        primitives.layer = drawable.layer;
+        primitives.positions = surface.positions;
+        if (drawable.polygons()) primitives.normals = surface.normals;
+        if (drawable.scalars) primitives.scalars = *drawable.scalars;
+        primitives.value_step = value_step(drawable.scale);
+        primitives.indices = drawable.indices();
+        primitives.lines = drawable.lines();
+        primitives.points = drawable.points();
+        primitives.line_width = drawable.line_width * static_cast<float>(pixel_ratio);
+        primitives.map = drawable.scale.map;
+        primitives.range = drawable.scale.range;
+        primitives.color = drawable.color;
+        primitives.lit = drawable.lit;
+        primitives.scale = geometry::json_of(drawable.scale).dump();
+        primitives.clip = planes;
+        all.push_back(std::move(primitives));
     }
-    auto encoded = wire::encode_geometry(meshes, geometry.origin, grid, held);
+    auto encoded = wire::encode_geometry(all, geometry.origin, grid, held);
     auto& messages = encoded.payloads;
     header.encode_ms = std::chrono::duration<float, std::milli>(Clock::now() - started).count();
     const auto common = header.flags;

@@ -71,27 +71,27 @@ render::Frame frame_of(const geometry::Geometry& geometry, const scene::CheckedS
     frame.lighting = scene.lighting.on ? lighting_of(scene.lighting) : render::Lighting{0, 0, 0};
     frame.occlusion = occlusion_of(scene.lighting, geometry);
     for (const geometry::Drawable& drawable : geometry.drawables) {
-        render::Primitives mesh;
-        mesh.positions = drawable.shape->surface.positions;
-        if (drawable.polygons()) mesh.normals = drawable.shape->surface.normals;
-        if (drawable.scalars) mesh.scalars = *drawable.scalars;
-        mesh.scalar_origin = drawable.scalar_origin;
-        mesh.indices = drawable.indices();
-        mesh.lines = drawable.lines();
-        mesh.points = drawable.points();
-        mesh.line_width = mesh.point_size = drawable.line_width;
-        mesh.on_opaque = drawable.is_on_surface() && drawable.color[3] >= 1;
-        mesh.scale = drawable.scale;
-        mesh.color = drawable.color;
-        mesh.revision = drawable.revision;
-        mesh.identity = drawable.identity;
-        mesh.lit = drawable.lit && scene.lighting.on;
-        frame.primitives.push_back(std::move(mesh));
+        render::Primitives primitives;
+        primitives.positions = drawable.shape->surface.positions;
+        if (drawable.polygons()) primitives.normals = drawable.shape->surface.normals;
+        if (drawable.scalars) primitives.scalars = *drawable.scalars;
+        primitives.scalar_origin = drawable.scalar_origin;
+        primitives.indices = drawable.indices();
+        primitives.lines = drawable.lines();
+        primitives.points = drawable.points();
+        primitives.line_width = primitives.point_size = drawable.line_width;
+        primitives.on_opaque = drawable.is_on_surface() && drawable.color[3] >= 1;
+        primitives.scale = drawable.scale;
+        primitives.color = drawable.color;
+        primitives.revision = drawable.revision;
+        primitives.identity = drawable.identity;
+        primitives.lit = drawable.lit && scene.lighting.on;
+        frame.primitives.push_back(std::move(primitives));
     }
     for (const geometry::VolumeDrawable& drawable : geometry.volumes)
         frame.volumes.push_back(volume_of(drawable, frame.lighting));
     std::stable_partition(frame.primitives.begin(), frame.primitives.end(),
-                          [](const render::Primitives& mesh) { return mesh.color[3] >= 1; });
+                          [](const render::Primitives& primitives) { return primitives.color[3] >= 1; });
     return frame;
 }
 

@@ -12,8 +12,8 @@ namespace server::frames {
 namespace {
 
 void widen_lines(render::Frame& frame, double times) {
-    for (render::Primitives& mesh : frame.primitives)
-        mesh.line_width = mesh.point_size = mesh.line_width * static_cast<float>(times);
+    for (render::Primitives& primitives : frame.primitives)
+        primitives.line_width = primitives.point_size = primitives.line_width * static_cast<float>(times);
 }
 } // namespace
 

@@ -31,12 +31,12 @@ TestPictureResult draw_test_picture(render::Renderer& renderer) {
     frame.camera = {{0, -4, 0}, {0, 0, 0}, {0, 0, 1}, 45, false, 1};
     frame.bounds_min = {-1, -0.1, -1};
     frame.bounds_max = {1, 0.1, 1};
-    render::Primitives mesh;
-    mesh.positions = positions;
-    mesh.indices = indices;
-    mesh.lit = false;
-    mesh.color = {1, 128.0F / 255, 0, 1};
-    frame.primitives.push_back(mesh);
+    render::Primitives primitives;
+    primitives.positions = positions;
+    primitives.indices = indices;
+    primitives.lit = false;
+    primitives.color = {1, 128.0F / 255, 0, 1};
+    frame.primitives.push_back(primitives);
     render::Image image;
     renderer.draw(frame, image);
 

@@ -17,10 +17,11 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 constexpr int limits_unit = 2, occlusion_unit = 2; // texture units; ColorScales uses units 0 and 1
 
-// Returns whether the plain program can draw the mesh. It is faster than the full program, because a software
+// Returns whether the plain program can draw the primitives. It is faster than the full program, because a software
 // rasterizer also spends time on unused features.
-bool is_plain(const Primitives& mesh, const Frame& frame) {
-    return !mesh.lines && !mesh.points && mesh.scalars.empty() && !mesh.normals.empty() && frame.clip.empty();
+bool is_plain(const Primitives& primitives, const Frame& frame) {
+    return !primitives.lines && !primitives.points && primitives.scalars.empty() && !primitives.normals.empty() &&
+           frame.clip.empty();
 }
 
 } // namespace
@@ -128,8 +129,8 @@ void Painter::enable_clip_planes(bool on) {
 void Painter::load_scales(const Frame& frame) {
     scales_.begin();
     scale_rows_.clear();
-    for (const Primitives& mesh : frame.primitives)
-        scale_rows_.push_back(mesh.scalars.empty() ? ScaleRow{} : scales_.row_of(mesh.scale));
+    for (const Primitives& primitives : frame.primitives)
+        scale_rows_.push_back(primitives.scalars.empty() ? ScaleRow{} : scales_.row_of(primitives.scale));
     scales_.upload();
 }
 
@@ -138,16 +139,16 @@ void Painter::upload(const Frame& frame) {
     std::vector<ScaledPrimitives> transparent;
     std::vector<ScaledPrimitives> points;
     for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
-        const Primitives& mesh = frame.primitives[i];
-        if (mesh.indices.empty()) continue;
-        if (!is_transparent(mesh)) {
-            buffers(i).load(mesh);
+        const Primitives& primitives = frame.primitives[i];
+        if (primitives.indices.empty()) continue;
+        if (!is_transparent(primitives)) {
+            buffers(i).load(primitives);
             pacing_.pass();
-        } else if (mesh.color[3] > 0 && mesh.points) {
-            points.push_back({&mesh, scale_rows_[i]});
-        } else if (mesh.color[3] > 0) {
-            check_primitives(mesh);
-            transparent.push_back({&mesh, scale_rows_[i]});
+        } else if (primitives.color[3] > 0 && primitives.points) {
+            points.push_back({&primitives, scale_rows_[i]});
+        } else if (primitives.color[3] > 0) {
+            check_primitives(primitives);
+            transparent.push_back({&primitives, scale_rows_[i]});
         }
     }
     const glm::mat4 view(transform_.view);
@@ -157,8 +158,8 @@ void Painter::upload(const Frame& frame) {
     transparent_points_.load(points, depth_row);
 }
 
-// A mesh keeps its buffers if its index in the frame changes. Transparent triangles and points have their own buffers
-// in transparent_ and transparent_points_.
+// Primitives keep their buffers if their index in the frame changes. Transparent triangles and points have their own
+// buffers in transparent_ and transparent_points_.
 void Painter::assign_buffers(const Frame& frame) {
     std::unordered_map<std::uint64_t, PrimitiveBuffers*> holding;
     std::vector<PrimitiveBuffers*> rest;
@@ -187,8 +188,8 @@ TouchedTiles Painter::touched_by(const Frame& frame) const {
         touched.touch_all();
         return touched;
     }
-    for (const Primitives& mesh : frame.primitives)
-        if (!mesh.indices.empty() && mesh.color[3] > 0) touched.touch(mesh, transform_);
+    for (const Primitives& primitives : frame.primitives)
+        if (!primitives.indices.empty() && primitives.color[3] > 0) touched.touch(primitives, transform_);
     overlay_.touch(touched, frame.height);
     return touched;
 }
@@ -214,17 +215,17 @@ void Painter::use(const Program& program, const Frame& frame) {
 }
 
 // Vertices of the plain program have only position and normal, so color and lighting are uniforms.
-void Painter::use_look(const Frame& frame, const Primitives& mesh) {
+void Painter::use_look(const Frame& frame, const Primitives& primitives) {
     const glm::dmat4& projection = transform_.projection;
     const bool parallel = frame.camera.parallel;
     const double right = parallel ? 0 : 1 / projection[0][0], up = parallel ? 0 : 1 / projection[1][1];
     gl_.Uniform4f(plain_.look, static_cast<float>(2 * right / frame.width), static_cast<float>(2 * up / frame.height),
                   static_cast<float>(-right), static_cast<float>(-up));
-    gl_.Uniform4f(plain_.solid, mesh.color[0], mesh.color[1], mesh.color[2], mesh.color[3]);
-    gl_.Uniform1f(plain_.lit, mesh.lit ? 1.0F : 0.0F);
+    gl_.Uniform4f(plain_.solid, primitives.color[0], primitives.color[1], primitives.color[2], primitives.color[3]);
+    gl_.Uniform1f(plain_.lit, primitives.lit ? 1.0F : 0.0F);
 }
 
-void Painter::draw_meshes(const Frame& frame, const Program& program, bool before_volume) {
+void Painter::draw_primitives(const Frame& frame, const Program& program, bool before_volume) {
     use(program, frame);
     const bool surfaces = &program == &triangles_ || &program == &occluded_;
     const Program* in_use = &program;
@@ -238,32 +239,33 @@ void Painter::draw_meshes(const Frame& frame, const Program& program, bool befor
         gl_.Uniform1f(program.before_volume, before_volume ? 1.0F : 0.0F);
     }
     for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
-        const Primitives& mesh = frame.primitives[i];
-        const Program& own = mesh.lines ? lines_ : surfaces ? program : triangles_;
-        if (&own != &program || mesh.points || is_transparent(mesh) || mesh.indices.empty()) continue;
-        if (mesh.lines) use_line(program, mesh, 1);
-        if (const Program& fitting = &own == &triangles_ && is_plain(mesh, frame) ? plain_ : own; &fitting != in_use) {
+        const Primitives& primitives = frame.primitives[i];
+        const Program& own = primitives.lines ? lines_ : surfaces ? program : triangles_;
+        if (&own != &program || primitives.points || is_transparent(primitives) || primitives.indices.empty()) continue;
+        if (primitives.lines) use_line(program, primitives, 1);
+        if (const Program& fitting = &own == &triangles_ && is_plain(primitives, frame) ? plain_ : own;
+            &fitting != in_use) {
             use(fitting, frame);
             in_use = &fitting;
         }
-        if (in_use == &plain_) use_look(frame, mesh);
-        buffers(i).draw(mesh, scale_rows_[i]);
+        if (in_use == &plain_) use_look(frame, primitives);
+        buffers(i).draw(primitives, scale_rows_[i]);
     }
 }
 
 // `factor`: framebuffer pixels per picture pixel along a side.
-void Painter::use_line(const Program& program, const Primitives& mesh, float factor) const {
-    gl_.Uniform1f(program.half_width, factor * mesh.line_width / 2);
-    gl_.Uniform1f(program.on_opaque, mesh.on_opaque ? 1.0F : 0.0F);
+void Painter::use_line(const Program& program, const Primitives& primitives, float factor) const {
+    gl_.Uniform1f(program.half_width, factor * primitives.line_width / 2);
+    gl_.Uniform1f(program.on_opaque, primitives.on_opaque ? 1.0F : 0.0F);
 }
 
 // Transparent triangles are drawn after lines. A pixel that a line covers partly would hide these triangles if it wrote
 // depth. Therefore only a pixel that a line covers by at least half writes depth, and is drawn as fully covered.
 void Painter::draw_lines(const Frame& frame) {
-    if (is_peeled(frame) || transparent_.is_empty()) return draw_meshes(frame, lines_);
+    if (is_peeled(frame) || transparent_.is_empty()) return draw_primitives(frame, lines_);
     const auto draw_part = [&](float part) {
         set_cover_part(part);
-        draw_meshes(frame, lines_);
+        draw_primitives(frame, lines_);
     };
     gl_.DepthMask(GL_FALSE);
     draw_part(1);
@@ -280,7 +282,7 @@ void Painter::draw_opaque(const Frame& frame) {
     pacing_.pass();
     if (is_occluded) occlusion_.find(frame, transform_, opaque_depth_);
     target_.bind_again();
-    draw_meshes(frame, is_occluded ? occluded_ : triangles_);
+    draw_primitives(frame, is_occluded ? occluded_ : triangles_);
 }
 
 void Painter::find_slopes(const Frame& frame) {

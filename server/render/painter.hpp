@@ -42,7 +42,7 @@ private:
     void load_scales(const Frame& frame);
     void upload(const Frame& frame);
     [[nodiscard]] TouchedTiles touched_by(const Frame& frame) const;
-    void draw_meshes(const Frame& frame, const Program& program, bool before_volume = false);
+    void draw_primitives(const Frame& frame, const Program& program, bool before_volume = false);
     void draw_lines(const Frame& frame);
     void draw_opaque_points(const Frame& frame);
     void draw_points(const Frame& frame, const std::vector<std::array<float, 2>>& sample_places);
@@ -62,10 +62,10 @@ private:
     void draw_depth_of_overlays(const Frame& frame);
     void peel_transparent(const Frame& frame);
     void use(const Program& program, const Frame& frame);
-    void use_look(const Frame& frame, const Primitives& mesh);
-    void use_line(const Program& program, const Primitives& mesh, float factor) const;
+    void use_look(const Frame& frame, const Primitives& primitives);
+    void use_line(const Program& program, const Primitives& primitives, float factor) const;
     void assign_buffers(const Frame& frame);
-    [[nodiscard]] PrimitiveBuffers& buffers(std::size_t mesh) { return *slots_[mesh]; }
+    [[nodiscard]] PrimitiveBuffers& buffers(std::size_t primitives) { return *slots_[primitives]; }
 
     Gl gl_;
     Pacing pacing_;
@@ -73,14 +73,14 @@ private:
     std::vector<std::string> remarks_;
     Program triangles_, plain_, normals_, occluded_, lines_, points_;
     ColorScales scales_;
-    std::vector<ScaleRow> scale_rows_; // one per mesh of the frame
+    std::vector<ScaleRow> scale_rows_; // one for each element of Frame::primitives
     Target target_;
     KeptPicture picture_;
     OpaqueDepth opaque_depth_;
     AmbientOcclusion occlusion_;
     SurfaceSlopes slopes_;
     std::list<PrimitiveBuffers> buffers_; // grows to the largest number that one frame has needed
-    // Buffers of each mesh; null for meshes of transparent triangles or transparent points.
+    // One for each element of Frame::primitives; null for transparent triangles and transparent points.
     std::vector<PrimitiveBuffers*> slots_;
     TransparentTriangles transparent_;
     TransparentPoints transparent_points_;

@@ -43,7 +43,8 @@ void Painter::draw_points(const Frame& frame, const std::vector<std::array<float
 
 void Painter::draw_opaque_points_with(const Frame& frame) {
     for (std::size_t i = 0; i < frame.primitives.size(); ++i)
-        if (const Primitives& mesh = frame.primitives[i]; is_opaque_points(mesh)) buffers(i).draw(mesh, scale_rows_[i]);
+        if (const Primitives& primitives = frame.primitives[i]; is_opaque_points(primitives))
+            buffers(i).draw(primitives, scale_rows_[i]);
 }
 
 // Rays of volumes do not end on lines, because the soft edges of lines would have a border without volume. Therefore
@@ -52,7 +53,7 @@ void Painter::draw_volumes(const Frame& frame) {
     enable_clip_planes(false); // programs of volumes clip rays themselves and write no gl_ClipDistance
     volumes_.draw(frame, transform_, target_);
     enable_clip_planes(true);
-    draw_meshes(frame, lines_, true);
+    draw_primitives(frame, lines_, true);
 }
 
 void Painter::draw_transparent(const Frame& frame) {
@@ -76,7 +77,7 @@ void Painter::draw_transparent(const Frame& frame) {
 // Draws the depth of lines and points for pick(), because peeled layers write no depth to the target.
 void Painter::draw_depth_of_overlays(const Frame& frame) {
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_meshes(frame, lines_);
+    draw_primitives(frame, lines_);
     draw_points(frame, target_.sample_places());
     transparent_points_.draw();
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -150,11 +151,13 @@ void Painter::draw_lines_of_layer(const Frame& frame, bool joining) {
     const Program& program = peeling_.lines();
     const float factor = use_in_layers(frame, program, joining);
     for (std::size_t i = 0; i < frame.primitives.size(); ++i) {
-        const Primitives& mesh = frame.primitives[i];
-        if (!mesh.lines || mesh.indices.empty() || mesh.color[3] <= 0 || (joining && mesh.color[3] >= 1)) continue;
-        use_line(program, mesh, factor);
-        gl_.Uniform1f(program.number, mesh.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
-        buffers(i).draw(mesh, scale_rows_[i]);
+        const Primitives& primitives = frame.primitives[i];
+        if (!primitives.lines || primitives.indices.empty() || primitives.color[3] <= 0 ||
+            (joining && primitives.color[3] >= 1))
+            continue;
+        use_line(program, primitives, factor);
+        gl_.Uniform1f(program.number, primitives.color[3] < 1 ? static_cast<float>(i + 1) : 0.0F);
+        buffers(i).draw(primitives, scale_rows_[i]);
     }
 }
 
@@ -167,7 +170,8 @@ void Painter::draw_points_of_layer(const Frame& frame) {
 }
 
 void Painter::draw_points_between_layers(const Frame& frame) {
-    const bool on_surfaces = has(frame, [](const Primitives& mesh) { return !is_overlay(mesh) && mesh.color[3] > 0; });
+    const bool on_surfaces =
+        has(frame, [](const Primitives& primitives) { return !is_overlay(primitives) && primitives.color[3] > 0; });
     use_for_points(frame, peeling_.between(on_surfaces));
     transparent_points_.draw();
 }

@@ -19,11 +19,11 @@ constexpr std::uint64_t volumes = 72;   // pictures of 4 floats, ray parts, reac
 // llvmpipe keeps the programs. It also keeps the triangles of recent pictures until it needs their memory. On a busy
 // machine it keeps the triangles of three pictures, because it begins a picture before its threads have drawn the
 // previous picture.
-constexpr std::uint64_t programs = 24 << 20, most_triangles = 96 << 20, triangles_per_mesh = 3;
+constexpr std::uint64_t programs = 24 << 20, most_triangles = 96 << 20, copies_of_triangles = 3;
 
-std::uint64_t bytes_of(const Primitives& mesh) {
-    return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
-           mesh.indices.size_bytes();
+std::uint64_t bytes_of(const Primitives& primitives) {
+    return primitives.positions.size_bytes() + primitives.normals.size_bytes() + primitives.scalars.size_bytes() +
+           primitives.indices.size_bytes();
 }
 
 std::uint64_t bytes_of(const Volume& volume) {
@@ -44,12 +44,12 @@ std::uint64_t picture_memory(const Frame& frame) {
     }
     if (frame.occlusion.radius > 0) of_pixel += occlusion;
     if (!frame.volumes.empty()) of_pixel += volumes;
-    std::uint64_t bytes = pixels * of_pixel + programs, meshes = 0;
-    for (const Primitives& mesh : frame.primitives) {
-        meshes += bytes_of(mesh);
-        if (is_transparent(mesh)) bytes += 2 * bytes_of(mesh); // also copied and sorted on the CPU
+    std::uint64_t bytes = pixels * of_pixel + programs, copied = 0;
+    for (const Primitives& primitives : frame.primitives) {
+        copied += bytes_of(primitives);
+        if (is_transparent(primitives)) bytes += 2 * bytes_of(primitives); // also copied and sorted on the CPU
     }
-    bytes += meshes + std::min(triangles_per_mesh * meshes, most_triangles);
+    bytes += copied + std::min(copies_of_triangles * copied, most_triangles);
     for (const Volume& volume : frame.volumes) bytes += bytes_of(volume);
     return bytes + bytes / 8;
 }

@@ -6,8 +6,8 @@
 
 namespace server::render {
 
-// Returns an upper bound in bytes for a software GL in an existing context, with copies of the meshes, the image and
-// its encoding. The numbers were measured with llvmpipe of Mesa 22.3 (tests/bench/results).
+// Returns an upper bound in bytes for a software GL in an existing context, with copies of the primitives, the image
+// and its encoding. The numbers were measured with llvmpipe of Mesa 22.3 (tests/bench/results).
 [[nodiscard]] std::uint64_t picture_memory(const Frame& frame);
 
 } // namespace server::render

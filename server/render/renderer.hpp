@@ -31,10 +31,10 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    // Throws Error if arrays of a mesh do not fit together, for an unknown color map, an unusable camera, too many clip
-    // planes or a size that the GL cannot draw, and if the memory does not suffice (picture_memory.hpp). Propagates
-    // exceptions of check_wanted. After an exception, the next draw works as usual.
-    // `after`: called when the GL has finished a stage, for benchmarks.
+    // Throws Error if arrays of primitives do not fit together, for an unknown color map, an unusable camera, too many
+    // clip planes or a size that the GL cannot draw, and if the memory does not suffice (picture_memory.hpp).
+    // Propagates exceptions of check_wanted. After an exception, the next draw works as usual. `after`: called when the
+    // GL has finished a stage, for benchmarks.
     void draw(const Frame& frame, Image& image, const AfterStage& after = {});
     // Returns the image without a copy; valid until the next draw.
     const Image& draw(const Frame& frame, const AfterStage& after = {});

@@ -16,20 +16,20 @@ constexpr std::size_t layers = 384; // layers of one surface with patches
 constexpr std::size_t most = 8;
 
 std::vector<Primitives> meshes_of(const std::vector<Vec3f>& positions, const std::vector<Index>& indices) {
-    std::vector<Primitives> meshes(layers);
+    std::vector<Primitives> all(layers);
     for (std::size_t i = 0; i < layers; ++i) {
-        meshes[i].positions = positions;
-        meshes[i].indices = indices;
-        meshes[i].color[3] = 0.5F;
-        meshes[i].identity = meshes[i].revision = i + 1;
+        all[i].positions = positions;
+        all[i].indices = indices;
+        all[i].color[3] = 0.5F;
+        all[i].identity = all[i].revision = i + 1;
     }
-    return meshes;
+    return all;
 }
 
 template <typename Transparent>
-std::vector<ScaledPrimitives> parts_of(const std::vector<Primitives>& meshes) {
+std::vector<ScaledPrimitives> parts_of(const std::vector<Primitives>& all) {
     std::vector<ScaledPrimitives> parts;
-    for (const Primitives& mesh : meshes) parts.push_back({&mesh, {}});
+    for (const Primitives& primitives : all) parts.push_back({&primitives, {}});
     return parts;
 }
 
@@ -55,15 +55,15 @@ protected:
 };
 
 TEST_F(TransparentUpload, TrianglesAreCopiedOnce) {
-    const std::vector<Primitives> meshes = meshes_of(positions, indices);
-    const auto parts = parts_of<TransparentTriangles>(meshes);
+    const std::vector<Primitives> all = meshes_of(positions, indices);
+    const auto parts = parts_of<TransparentTriangles>(all);
     TransparentTriangles triangles(gl);
     expect_few([&] { triangles.load(parts, {0, 0, 1, 0}, true); });
 }
 
 TEST_F(TransparentUpload, PointsAreCopiedOnce) {
-    const std::vector<Primitives> meshes = meshes_of(positions, indices);
-    const auto parts = parts_of<TransparentPoints>(meshes);
+    const std::vector<Primitives> all = meshes_of(positions, indices);
+    const auto parts = parts_of<TransparentPoints>(all);
     TransparentPoints points(gl);
     expect_few([&] { points.load(parts, {0, 0, 1, 0}); });
 }

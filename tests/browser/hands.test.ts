@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import type { CDPSession } from "./chromium.ts";
-import type { Client } from "./page.ts";
+import { changedLayer, type Client } from "./page.ts";
 import { difference, distance, find } from "./png.ts";
 import { skip, Stage } from "./stage.ts";
 
@@ -301,21 +301,27 @@ describe("hands", { skip }, () => {
   test("without a mouse: a slice, a surface less and more, a turn, and all of it undone", async () => {
     const before = await client.picture();
     const keys = client.page.keyboard;
+    client.patches.length = 0;
     await client.button("Add a slice across y").focus();
     await keys.press("Space");
     await keys.press("PageUp"); // the new slice's slider has the focus
     await client.settled();
     const sliced = await client.picture();
     assert.ok(difference(before, sliced) > 0.01);
+    const [added, moved] = [client.patches[0], client.patches.at(-1)].map(changedLayer);
+    assert.deepEqual([added?.type, added?.axis, Object.keys(moved ?? {})], ["slice", "y", ["value"]]);
+    assert.ok(Number(moved?.value) > Number(added?.value), JSON.stringify([added, moved]));
     await client.button("Hide this iso-surface").first().focus();
     await keys.press("Enter");
     await client.settled();
+    assert.deepEqual(changedLayer(client.patches.at(-1)), { visible: false });
     assert.ok(difference(sliced, await client.picture()) > 0.005);
     await client.canvas.focus();
     client.patches.length = 0;
     for (const key of ["ArrowLeft", "ArrowLeft", "ArrowUp", "+"]) await keys.press(key);
     await client.patched(2); // the page asks the server for the center of the turn before it sends both
     await client.settled();
+    assert.deepEqual(Object.keys(client.patches.at(-1)?.patch ?? {}), ["camera"]);
     assert.ok(difference(sliced, await client.picture()) > 0.02);
     // Undoes the zoom, the rotation, the hidden surface, the moved slice, and the added slice.
     for (let i = 0; i < 5; i += 1) await keys.press("Control+z");

@@ -1,4 +1,5 @@
 // Client: a page in the browser, with the actions and checks that tests use.
+import assert from "node:assert/strict";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -78,6 +79,15 @@ async function reset(page: Page, { viewport, colorScheme }: BrowserContextOption
  * minute on a loaded machine, and the page answers nothing while it draws one.
  */
 const patience = 120_000;
+
+/** Returns the only layer that a patch changes; undefined if there is no patch. */
+export function changedLayer(sent: Client["patches"][number] | undefined): Record<string, unknown> | undefined {
+  if (sent === undefined) return undefined;
+  assert.deepEqual(Object.keys(sent.patch), ["layers"]);
+  const layers = Object.values(sent.patch.layers as Record<string, Record<string, unknown>>);
+  assert.equal(layers.length, 1, JSON.stringify(sent.patch));
+  return layers[0];
+}
 
 export class Client {
   readonly problems: string[] = [];

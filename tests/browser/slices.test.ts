@@ -67,9 +67,12 @@ describe("slices", { skip }, () => {
     await client.button("Add a slice across x").click();
     await client.settled();
     const before = await client.picture();
+    const [middle] = Object.values(await slices(client)).map(({ value }) => Number(value));
     client.patches.length = 0;
     for (let i = 0; i < 3; i += 1) await client.page.keyboard.press("PageUp");
     await client.settled();
+    const [swept] = Object.values(await slices(client)).map(({ value }) => Number(value));
+    assert.ok(Number(swept) > Number(middle), `${swept} after ${middle}`);
     assert.ok(difference(before, await client.picture()) > 0.005);
     const first = cards(client).first();
     await first.getByLabel("Map").selectOption("magma");
@@ -169,8 +172,10 @@ describe("slices", { skip }, () => {
     const before = await client.picture();
     await plane.selectOption("z");
     await client.settled();
+    assert.equal((await slices(client)).a?.axis, "z");
     assert.ok(difference(before, await client.picture()) > 0.01);
     await undo(client);
+    assert.equal((await slices(client)).a?.axis, "x");
     await plane.selectOption("free");
     assert.deepEqual((await slices(client)).a?.normal, [1, 0, 0]);
     assert.ok(difference(before, await client.picture()) < 0.001, "it is where it was");

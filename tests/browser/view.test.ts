@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { before, describe, test } from "node:test";
 import { lateAnswer } from "./late_answer.ts";
-import type { Client } from "./page.ts";
+import { changedLayer, type Client } from "./page.ts";
 import { difference, distance, find, hue, share, type Color, type Picture } from "./png.ts";
 import { nameOf } from "./server.ts";
 import { data, skip, Stage } from "./stage.ts";
@@ -13,6 +13,14 @@ import { data, skip, Stage } from "./stage.ts";
  */
 const foreground = (picture: Picture): number =>
   share(picture, (color, _x, y) => distance(color, picture.at(1, y)) > 10);
+
+type Vector = [number, number, number];
+
+/** Returns the vector from the camera's target to its position. */
+function fromTarget(camera: unknown): Vector {
+  const { position, target } = camera as { position: Vector; target: Vector };
+  return [position[0] - target[0], position[1] - target[1], position[2] - target[2]];
+}
 const isColored = (color: Color): boolean => hue(color) !== null;
 
 describe("view", { skip }, () => {
@@ -33,10 +41,16 @@ describe("view", { skip }, () => {
 
   test("a drag over the canvas turns the view and is one step of undo", async () => {
     const before = await client.picture();
+    client.patches.length = 0;
     await client.dragCanvas([0.5, 0.5], [0.7, 0.4]);
     await client.settled();
     const turned = await client.picture();
     assert.ok(difference(before, turned) > 0.02);
+    const [first, last] = [client.patches[0], client.patches.at(-1)].map((sent) => fromTarget(sent?.patch.camera));
+    assert.ok(first !== undefined && last !== undefined);
+    assert.ok(first[0] * last[1] < first[1] * last[0], "the camera goes to the left, as the data goes to the right");
+    assert.ok(last[2] < first[2], "the camera goes down, as the data goes up");
+    assert.ok(Math.abs(Math.hypot(...last) / Math.hypot(...first) - 1) < 1e-3, "the camera keeps its distance");
     await client.button("Undo").click();
     await client.settled();
     assert.ok(difference(before, await client.picture()) < 0.005, "one undo brings the view back");
@@ -168,6 +182,7 @@ describe("view", { skip }, () => {
 
   test("a slice appears, moves and goes", async () => {
     const before = await client.picture();
+    client.patches.length = 0;
     await client.button("Add a slice across x").click();
     await client.settled();
     const sliced = await client.picture();
@@ -176,6 +191,9 @@ describe("view", { skip }, () => {
     await client.page.getByLabel("Position of the x slice").focus();
     for (let i = 0; i < 3; i += 1) await client.page.keyboard.press("PageUp");
     await client.settled();
+    const [added, moved] = [client.patches[0], client.patches.at(-1)].map(changedLayer);
+    assert.deepEqual([added?.type, added?.axis, Object.keys(moved ?? {})], ["slice", "x", ["value"]]);
+    assert.ok(Number(moved?.value) > Number(added?.value), JSON.stringify([added, moved]));
     assert.ok(difference(sliced, await client.picture()) > 0.005);
     await client.button("Remove this slice").click();
     await client.settled();

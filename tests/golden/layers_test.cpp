@@ -39,10 +39,10 @@ public:
         const std::array<std::array<float, 4>, 3> colors{
             {{0.9F, 0.5F, 0.2F, 0.5F}, {0.2F, 0.6F, 0.9F, 0.5F}, {0.8F, 0.8F, 0.8F, 1}}};
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            Primitives mesh = shapes_[i].mesh();
-            mesh.scalars = {};
-            mesh.color = colors[i];
-            frame_.primitives.push_back(mesh);
+            Primitives primitives = shapes_[i].primitives();
+            primitives.scalars = {};
+            primitives.color = colors[i];
+            frame_.primitives.push_back(primitives);
         }
     }
 

@@ -45,10 +45,10 @@ public:
                                                           {0.2F, 0.6F, 0.9F, 0.4F},
                                                           {0.9F, 0.9F, 0.3F, 1}}};
         for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            Primitives mesh = shapes_[i].mesh();
-            mesh.scalars = {};
-            mesh.color = colors[i];
-            frame_.primitives.push_back(mesh);
+            Primitives primitives = shapes_[i].primitives();
+            primitives.scalars = {};
+            primitives.color = colors[i];
+            frame_.primitives.push_back(primitives);
         }
         frame_.primitives.back().lines = true;
         Volume volume = fog_.volume({1, 0, 0}, 40);

@@ -27,7 +27,7 @@ struct Stage {
         frame.camera.position = {6 * std::sin(turn) * std::cos(tilt), -6 * std::cos(turn) * std::cos(tilt),
                                  6 * std::sin(tilt)};
         frame.samples = 4;
-        frame.primitives = {ball.mesh(), wall.mesh(), bubble.mesh()};
+        frame.primitives = {ball.primitives(), wall.primitives(), bubble.primitives()};
         frame.primitives[0].color = {0.2F, 0.5F, 0.9F, 1};
         frame.primitives[1].scale.range = {-1, 1};
         frame.primitives[2].color = {0.9F, 0.6F, 0.2F, opacity};

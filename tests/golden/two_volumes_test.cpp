@@ -48,10 +48,10 @@ public:
         frame_.bounds_min = {0, 0, 0};
         frame_.bounds_max = {edge, edge, edge};
         frame_.background_top = frame_.background_bottom = {0.93F, 0.94F, 0.95F};
-        Primitives mesh = ball_.mesh();
-        mesh.scalars = {};
-        mesh.color = {0.8F, 0.75F, 0.7F, 1};
-        frame_.primitives.push_back(mesh);
+        Primitives primitives = ball_.primitives();
+        primitives.scalars = {};
+        primitives.color = {0.8F, 0.75F, 0.7F, 1};
+        frame_.primitives.push_back(primitives);
         frame_.camera.target = {middle, middle, middle};
     }
 

@@ -12,6 +12,7 @@ RETIRED = [
     (r"CIEL_ENGINE|--engine\b", "--algorithm", {"server/app/scene_options.cpp", "tests/python/test_old_names.py", "CHANGELOG.md"}),
     (r"\bGeometryMesh\b", "wire::Primitives", set()),
     (r"\brender::Mesh\b", "render::Primitives", set()),
+    (r"\bPrimitives[&>*]* mesh(es)?\b|\b(interface|Sent|decode|isSame)[ ]?Mesh\b", "primitives; in the page BatchShape", set()),
     (r"\brender::Page\b|\bannotations::Page\b", "annotations::Layout", set()),
     (r"\bimporter::(Block|DataSet|DataSets)\b|\bdata_sets\.[ch]pp", "importer::InputGrid, InputGrids", set()),
     (r"\b[Dd]ata sets?\b", "dataset, or input grid", {"CHANGELOG.md"}),

@@ -1,4 +1,4 @@
-// The input of a picture: meshes, volumes, lights and the camera. Does not depend on OpenGL.
+// The input of a picture: primitives, volumes, lights and the camera. Does not depend on OpenGL.
 #pragma once
 
 #include "annotations/annotations.hpp"

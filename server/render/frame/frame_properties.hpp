@@ -11,16 +11,18 @@ namespace server::render {
 // per pixel that have no volumes or that have transparent points. most_layers is for all other frames.
 inline constexpr int most_layers = 32, most_moving_layers = 8;
 
-[[nodiscard]] inline std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
-[[nodiscard]] bool is_transparent(const Primitives& mesh); // triangles or points of opacity < 1
-[[nodiscard]] bool is_opaque(const Primitives& mesh);      // at least one triangle, and opacity 1
-[[nodiscard]] bool is_overlay(const Primitives& mesh);     // at least one line or point
-[[nodiscard]] bool is_opaque_points(const Primitives& mesh);
+[[nodiscard]] inline std::size_t corners_of(const Primitives& primitives) {
+    return primitives.points ? 1 : primitives.lines ? 2 : 3;
+}
+[[nodiscard]] bool is_transparent(const Primitives& primitives); // triangles or points of opacity < 1
+[[nodiscard]] bool is_opaque(const Primitives& primitives);      // at least one triangle, and opacity 1
+[[nodiscard]] bool is_overlay(const Primitives& primitives);     // at least one line or point
+[[nodiscard]] bool is_opaque_points(const Primitives& primitives);
 
 template <typename Is>
 [[nodiscard]] bool has(const Frame& frame, Is is) {
-    return std::ranges::any_of(frame.primitives,
-                               [&](const Primitives& mesh) { return !mesh.indices.empty() && is(mesh); });
+    return std::ranges::any_of(
+        frame.primitives, [&](const Primitives& primitives) { return !primitives.indices.empty() && is(primitives); });
 }
 
 [[nodiscard]] float widest_line(const Frame& frame); // width in pixels; 0 without lines

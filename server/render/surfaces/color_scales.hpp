@@ -11,7 +11,7 @@ namespace server::render {
 
 // `origin` is subtracted from the values, because floats have too few digits for a range such as 101,325 to 101,326.
 struct ScaleRow {
-    float row = -1; // row in the textures of ColorScales; -1: the mesh has a solid color
+    float row = -1; // row in the textures of ColorScales; -1: the primitives have a solid color
     float origin = 0;
     bool operator==(const ScaleRow&) const = default;
 };

@@ -1,4 +1,4 @@
-// GL buffers of one mesh. They are kept from frame to frame.
+// GL buffers of one Primitives. They are kept from frame to frame.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -10,17 +10,17 @@
 namespace server::render {
 
 // Throws Error if sizes do not match or an index is too large: the GL would read past the ends of the arrays.
-void check_primitives(const Primitives& mesh);
+void check_primitives(const Primitives& primitives);
 
 class PrimitiveBuffers {
 public:
     explicit PrimitiveBuffers(const Gl& gl);
-    // Uploads the mesh if its revision is 0, or if identity or revision has changed since the last load(). Throws the
+    // Uploads the arrays if the revision is 0, or if identity or revision has changed since the last load(). Throws the
     // errors of check_primitives(). If cancelling (pacing.hpp) interrupts an upload, call load() again before draw().
-    void load(const Primitives& mesh);
-    // `mesh`: the mesh of load(). Its color, point size, scale and lighting may have changed since then.
-    void draw(const Primitives& mesh, const ScaleRow& scale) const;
-    // Returns Primitives::identity of the loaded mesh; 0 before the first load().
+    void load(const Primitives& primitives);
+    // `primitives`: those of load(). Their color, point size, scale and lighting may have changed since then.
+    void draw(const Primitives& primitives, const ScaleRow& scale) const;
+    // Returns Primitives::identity of the loaded primitives; 0 before the first load().
     [[nodiscard]] std::uint64_t identity() const { return identity_; }
 
 private:

@@ -111,7 +111,8 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 
 // is_seen() for layers with transparent lines. The segments of a line overlap in joints, where each segment would
 // absorb light. Therefore each layer records the last line and the depth to which its joint extends, and discards
-// fragments of the same mesh up to that depth. A second pass raises the layer's alpha to the largest of the segments.
+// fragments of the same primitives up to that depth. A second pass raises the layer's alpha to the largest of the
+// segments.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED
@@ -119,7 +120,7 @@ uniform sampler2D nearer;
 uniform sampler2D nearer_lines;
 uniform sampler2D own_lines; // record of the layer being drawn, in the second pass
 uniform sampler2D behind;    // window depths of opaque surfaces, at which the layers end
-// R: number of the last line's mesh, 0: none, -1: nothing is visible behind. G: depth to which the line's joint
+// R: number of the last line's primitives, 0: none, -1: nothing is visible behind. G: depth to which the line's joint
 // reaches.
 layout(location = 1) out vec2 record;
 bool is_seen(float depth) {

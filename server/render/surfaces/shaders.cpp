@@ -6,7 +6,7 @@
 namespace server::render {
 namespace {
 
-// For the most common kind of mesh: one color, normals per vertex, no clip plane. Each interpolated number costs time
+// For the most common primitives: one color, normals per vertex, no clip plane. Each interpolated number costs time
 // in a software rasterizer, so only the normal is interpolated.
 const std::string plain_vertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
@@ -212,7 +212,8 @@ in Line {
 } line;
 layout(location = 0) out vec4 picture;
 #ifdef RECORDED
-// Number of the mesh, from 1, for transparent lines: segments of one mesh join where they meet. 0 for opaque lines.
+// Number of the primitives, from 1, for transparent lines: segments of one Primitives join where they meet. 0 for
+// opaque lines.
 uniform float number;
 uniform float joining; // 1: second pass, which joins segments
 #endif

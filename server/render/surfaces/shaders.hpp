@@ -6,13 +6,14 @@
 
 namespace server::render {
 
-// An attribute without an array has one value for the whole mesh, so one program draws meshes with and without arrays.
+// An attribute without an array has one value for all vertices, so one program draws primitives with and without
+// arrays.
 enum Attribute : GLuint {
     attribute_position = 0,
     attribute_normal = 1, // zero vector: flat shading by the triangle's plane
     attribute_scalar = 2,
     attribute_size = 3,  // diameter of a point, in picture pixels
-    attribute_color = 4, // RGB of a solid mesh, and the opacity
+    attribute_color = 4, // solid RGB, and the opacity
     // (row in ColorScales, or -1 for a solid color; 1 if lit, otherwise 0; number to subtract from the scalar)
     attribute_style = 5,
 };
@@ -42,7 +43,7 @@ struct Program {
 
 // The make functions throw Error with the compiler's or the linker's message.
 [[nodiscard]] Program make_triangle_program(const Gl& gl);
-// Draws triangles of the most common kind of mesh: one color, normals per vertex, no clip plane.
+// Draws the most common triangles: one color, normals per vertex, no clip plane.
 [[nodiscard]] Program make_plain_program(const Gl& gl);
 // These programs draw only fragments behind the previous layer. `recorded`: they also write the record of lines.
 [[nodiscard]] Program make_peeling_program(const Gl& gl, bool recorded);

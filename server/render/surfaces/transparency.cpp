@@ -21,9 +21,9 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& all, const 
     std::vector<Held> wanted;
     wanted.reserve(all.size());
     bool same = true;
-    for (const auto& [mesh, scale] : all) {
-        same = same && mesh->revision != 0;
-        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->lit});
+    for (const auto& [primitives, scale] : all) {
+        same = same && primitives->revision != 0;
+        wanted.push_back({primitives->identity, primitives->revision, primitives->color, scale, primitives->lit});
     }
     same = same && wanted == held_;
     if (same && is_ordered_ && sorted == is_sorted_ && (!sorted || depth_row == depth_row_)) return;
@@ -37,7 +37,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& all, const 
     depth_row_ = depth_row;
     is_sorted_ = sorted;
     // Of coincident triangles, peeling keeps the triangle that is drawn first. This must be the triangle of the last
-    // mesh, so the order is reversed.
+    // primitives, so the order is reversed.
     if (sorted)
         sort();
     else
@@ -48,31 +48,32 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& all, const 
 
 void TransparentTriangles::gather(const std::vector<ScaledPrimitives>& all) {
     std::size_t vertices = 0, triangles = 0;
-    for (const auto& [mesh, scale] : all) {
-        vertices += mesh->positions.size();
-        triangles += mesh->indices.size() / 3;
+    for (const auto& [primitives, scale] : all) {
+        vertices += primitives->positions.size();
+        triangles += primitives->indices.size() / 3;
     }
     vertices_.clear();
     triangles_.clear();
-    vertices_.reserve(vertices); // once, because a reserve per mesh would copy all earlier ones
+    vertices_.reserve(vertices); // once, because a reserve per element would copy all earlier ones
     triangles_.reserve(triangles);
     for (const ScaledPrimitives& one : all) add(one);
 }
 
 void TransparentTriangles::add(const ScaledPrimitives& one) {
-    const Primitives& mesh = *one.primitives;
+    const Primitives& primitives = *one.primitives;
     const auto first = static_cast<ciel::Index>(vertices_.size());
-    Vertex vertex{{}, {}, 0, mesh.color, {one.scale.row, mesh.lit ? 1.0F : 0.0F}};
-    in_pieces(gl_, mesh.positions.size(), [&](std::size_t i, std::size_t end) {
+    Vertex vertex{{}, {}, 0, primitives.color, {one.scale.row, primitives.lit ? 1.0F : 0.0F}};
+    in_pieces(gl_, primitives.positions.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
-            vertex.position = mesh.positions[i];
-            if (!mesh.normals.empty()) vertex.normal = mesh.normals[i];
-            if (!mesh.scalars.empty()) vertex.scalar = static_cast<float>(mesh.scalars[i] - one.scale.origin);
+            vertex.position = primitives.positions[i];
+            if (!primitives.normals.empty()) vertex.normal = primitives.normals[i];
+            if (!primitives.scalars.empty())
+                vertex.scalar = static_cast<float>(primitives.scalars[i] - one.scale.origin);
             vertices_.push_back(vertex);
         }
     });
-    const auto corner = [&](std::size_t i) { return first + mesh.indices[i]; };
-    in_pieces(gl_, mesh.indices.size() / 3, [&](std::size_t i, std::size_t end) {
+    const auto corner = [&](std::size_t i) { return first + primitives.indices[i]; };
+    in_pieces(gl_, primitives.indices.size() / 3, [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) triangles_.push_back({0, {corner(3 * i), corner(3 * i + 1), corner(3 * i + 2)}});
     });
 }

@@ -1,4 +1,4 @@
-// Transparent triangles of all meshes: unsorted for depth_peeling.hpp, or sorted from back to front by their centers.
+// The transparent triangles of a frame: unsorted for depth_peeling.hpp, or sorted from back to front by their centers.
 // The sorted order is correct where triangles do not cross or enclose each other.
 #pragma once
 
@@ -34,7 +34,7 @@ private:
         std::uint32_t key; // larger is nearer
         std::array<ciel::Index, 3> corners;
     };
-    struct Held { // properties of a mesh on which its uploaded vertices depend
+    struct Held { // properties of primitives on which their uploaded vertices depend
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -53,7 +53,7 @@ private:
     bool is_sorted_ = false, is_ordered_ = false; // is_ordered_: the uploaded order fits depth_row_ and is_sorted_
     std::vector<Held> held_;
     std::vector<Vertex> vertices_;
-    std::vector<Triangle> triangles_; // in the order of the meshes, which decides the order of equal depths
+    std::vector<Triangle> triangles_; // in the order of Frame::primitives, which decides the order of equal depths
     std::vector<Triangle> sorted_;    // in draw order
     std::vector<Triangle> other_;
     std::vector<ciel::Index> indices_;

@@ -19,9 +19,10 @@ void TransparentPoints::load(const std::vector<ScaledPrimitives>& all, const glm
     std::vector<Held> wanted;
     wanted.reserve(all.size());
     bool same = true;
-    for (const auto& [mesh, scale] : all) {
-        same = same && mesh->revision != 0;
-        wanted.push_back({mesh->identity, mesh->revision, mesh->color, scale, mesh->point_size, mesh->lit});
+    for (const auto& [primitives, scale] : all) {
+        same = same && primitives->revision != 0;
+        wanted.push_back({primitives->identity, primitives->revision, primitives->color, scale, primitives->point_size,
+                          primitives->lit});
     }
     same = same && wanted == held_;
     if (same && is_ordered_ && depth_row == depth_row_) return;
@@ -40,23 +41,23 @@ void TransparentPoints::load(const std::vector<ScaledPrimitives>& all, const glm
 
 void TransparentPoints::gather(const std::vector<ScaledPrimitives>& all) {
     std::size_t points = 0;
-    for (const auto& [mesh, scale] : all) {
-        check_primitives(*mesh);
-        points += mesh->indices.size();
+    for (const auto& [primitives, scale] : all) {
+        check_primitives(*primitives);
+        points += primitives->indices.size();
     }
     vertices_.clear();
-    vertices_.reserve(points); // once, because a reserve per mesh would copy all earlier ones
+    vertices_.reserve(points); // once, because a reserve per element would copy all earlier ones
     for (const ScaledPrimitives& one : all) add(one);
 }
 
 void TransparentPoints::add(const ScaledPrimitives& one) {
-    const Primitives& mesh = *one.primitives;
-    Vertex vertex{{}, 0, mesh.point_size, mesh.color, {one.scale.row, mesh.lit ? 1.0F : 0.0F}};
-    in_pieces(gl_, mesh.indices.size(), [&](std::size_t i, std::size_t end) {
+    const Primitives& primitives = *one.primitives;
+    Vertex vertex{{}, 0, primitives.point_size, primitives.color, {one.scale.row, primitives.lit ? 1.0F : 0.0F}};
+    in_pieces(gl_, primitives.indices.size(), [&](std::size_t i, std::size_t end) {
         for (; i < end; ++i) {
-            vertex.position = mesh.positions[mesh.indices[i]];
-            if (!mesh.scalars.empty())
-                vertex.scalar = static_cast<float>(mesh.scalars[mesh.indices[i]] - one.scale.origin);
+            vertex.position = primitives.positions[primitives.indices[i]];
+            if (!primitives.scalars.empty())
+                vertex.scalar = static_cast<float>(primitives.scalars[primitives.indices[i]] - one.scale.origin);
             vertices_.push_back(vertex);
         }
     });

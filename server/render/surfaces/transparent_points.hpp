@@ -1,5 +1,5 @@
-// Transparent points of all meshes in one buffer, sorted from near to far. A point is a disc that faces the viewer, and
-// all its pixels have the depth of its center. Therefore this order is correct at every pixel.
+// The transparent points of a frame in one buffer, sorted from near to far. A point is a disc that faces the viewer,
+// and all its pixels have the depth of its center. Therefore this order is correct at every pixel.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -34,7 +34,7 @@ private:
         std::uint32_t key; // larger is farther
         ciel::Index vertex;
     };
-    struct Held { // properties of a mesh on which its uploaded vertices depend
+    struct Held { // properties of primitives on which their uploaded vertices depend
         std::uint64_t identity, revision;
         std::array<float, 4> color;
         ScaleRow scale;
@@ -53,7 +53,8 @@ private:
     glm::vec4 depth_row_{};
     bool is_ordered_ = false; // true: the uploaded order fits depth_row_
     std::vector<Held> held_;
-    std::vector<Vertex> vertices_; // one per point, in the order of the meshes, which decides the order of equal depths
+    std::vector<Vertex>
+        vertices_; // one per point, in the order of Frame::primitives, which decides the order of equal depths
     std::vector<Point> sorted_, other_;
     std::vector<ciel::Index> order_;
 };

@@ -62,9 +62,9 @@ private:
 };
 
 // Returns how far a primitive extends beyond its vertices, in pixels, with a margin for rounding.
-float reach_of(const Primitives& mesh) {
-    if (mesh.points) return mesh.point_size / 2 + 2;
-    return mesh.lines ? mesh.line_width + 2 : 1;
+float reach_of(const Primitives& primitives) {
+    if (primitives.points) return primitives.point_size / 2 + 2;
+    return primitives.lines ? primitives.line_width + 2 : 1;
 }
 
 } // namespace
@@ -86,21 +86,22 @@ void TouchedTiles::touch(float left, float bottom, float right, float top) {
         for (int column = tile(left, columns_ - 1); column <= last_column; ++column) tiles_[index(column, row)] = 1;
 }
 
-void TouchedTiles::touch(const Primitives& mesh, const annotations::ViewTransform& transform) {
-    const Spans spans(transform, width_, height_, reach_of(mesh));
-    std::vector<Span> of_vertices(mesh.positions.size());
+void TouchedTiles::touch(const Primitives& primitives, const annotations::ViewTransform& transform) {
+    const Spans spans(transform, width_, height_, reach_of(primitives));
+    std::vector<Span> of_vertices(primitives.positions.size());
     for (std::size_t i = 0; i < of_vertices.size(); ++i)
-        if (!spans.find(mesh.positions[i], of_vertices[i])) return touch_all();
-    const std::size_t corners = corners_of(mesh);
+        if (!spans.find(primitives.positions[i], of_vertices[i])) return touch_all();
+    const std::size_t corners = corners_of(primitives);
     const auto touch_span = [&](const Span& span) {
         for (int row = span.bottom; row <= span.top; ++row)
             for (int column = span.left; column <= span.right; ++column) tiles_[index(column, row)] = 1;
     };
-    for (std::size_t i = 0; i + corners <= mesh.indices.size(); i += corners) {
-        Span all = of_vertices[mesh.indices[i]];
-        for (std::size_t k = 1; k < corners; ++k) all = joined(all, of_vertices[mesh.indices[i + k]]);
-        if (mesh.lines && all.right > all.left && all.top > all.bottom)
-            spans.for_pieces(mesh.positions[mesh.indices[i]], mesh.positions[mesh.indices[i + 1]], all, touch_span);
+    for (std::size_t i = 0; i + corners <= primitives.indices.size(); i += corners) {
+        Span all = of_vertices[primitives.indices[i]];
+        for (std::size_t k = 1; k < corners; ++k) all = joined(all, of_vertices[primitives.indices[i + k]]);
+        if (primitives.lines && all.right > all.left && all.top > all.bottom)
+            spans.for_pieces(primitives.positions[primitives.indices[i]],
+                             primitives.positions[primitives.indices[i + 1]], all, touch_span);
         else
             touch_span(all);
     }

@@ -24,7 +24,7 @@ public:
     // The box is in pixels from the lower left. Marks all tiles if a side is not finite.
     void touch(float left, float bottom, float right, float top);
     // Marks all tiles if a vertex is behind the near plane or not finite.
-    void touch(const Primitives& mesh, const annotations::ViewTransform& transform);
+    void touch(const Primitives& primitives, const annotations::ViewTransform& transform);
 
     [[nodiscard]] double share() const; // number of touched tiles / number of all tiles
     [[nodiscard]] bool at(int column, int row) const { return tiles_[index(column, row)] != 0; }

@@ -14,9 +14,9 @@ namespace server::wire {
 namespace {
 
 struct Batch {
-    const Primitives* mesh = nullptr;
-    std::size_t first = 0;             // index of the batch's first triangle, line or point in the mesh
-    std::vector<ciel::Index> vertices; // indices into the mesh's vertices, in order of first use
+    const Primitives* primitives = nullptr;
+    std::size_t first = 0;             // index of the batch's first triangle, line or point in `primitives`
+    std::vector<ciel::Index> vertices; // indices into the vertices of `primitives`, in order of first use
     std::vector<ciel::Index> indices;  // indices into `vertices`
 };
 
@@ -27,35 +27,36 @@ struct Quantized {
     std::array<std::int64_t, 3> low{}; // smallest coordinate per axis, in grid steps; values use low[0] only
 };
 
-std::size_t corners_of(const Primitives& mesh) { return mesh.points ? 1 : mesh.lines ? 2 : 3; }
+std::size_t corners_of(const Primitives& primitives) { return primitives.points ? 1 : primitives.lines ? 2 : 3; }
 
-void check(const Primitives& mesh) {
-    const std::size_t vertices = mesh.positions.size();
+void check(const Primitives& primitives) {
+    const std::size_t vertices = primitives.positions.size();
     const bool fits =
-        (mesh.normals.empty() || mesh.normals.size() == vertices) &&
-        (mesh.scalars.empty() || mesh.scalars.size() == vertices) &&
-        (mesh.values.empty() ||
-         (mesh.scalars.empty() && mesh.values.size() * corners_of(mesh) == mesh.indices.size())) &&
-        mesh.indices.size() % corners_of(mesh) == 0 &&
-        std::all_of(mesh.indices.begin(), mesh.indices.end(), [&](ciel::Index v) { return v < vertices; });
-    if (!fits) throw ciel::Error("the arrays of layer '" + mesh.layer + "' do not match and cannot be sent");
+        (primitives.normals.empty() || primitives.normals.size() == vertices) &&
+        (primitives.scalars.empty() || primitives.scalars.size() == vertices) &&
+        (primitives.values.empty() ||
+         (primitives.scalars.empty() &&
+          primitives.values.size() * corners_of(primitives) == primitives.indices.size())) &&
+        primitives.indices.size() % corners_of(primitives) == 0 &&
+        std::all_of(primitives.indices.begin(), primitives.indices.end(), [&](ciel::Index v) { return v < vertices; });
+    if (!fits) throw ciel::Error("the arrays of layer '" + primitives.layer + "' do not match and cannot be sent");
 }
 
-void split(const Primitives& mesh, std::size_t max_vertices, std::vector<Batch>& batches) {
-    const std::size_t corners = corners_of(mesh);
-    // Index of each mesh vertex in batch.vertices. Valid only if batch.vertices holds the vertex at that index.
-    std::vector<ciel::Index> local(mesh.positions.size(), ciel::none);
-    Batch batch{&mesh, 0, {}, {}};
+void split(const Primitives& primitives, std::size_t max_vertices, std::vector<Batch>& batches) {
+    const std::size_t corners = corners_of(primitives);
+    // Index of each vertex in batch.vertices. Valid only if batch.vertices holds the vertex at that index.
+    std::vector<ciel::Index> local(primitives.positions.size(), ciel::none);
+    Batch batch{&primitives, 0, {}, {}};
     const auto is_known = [&](ciel::Index vertex) {
         return local[vertex] < batch.vertices.size() && batch.vertices[local[vertex]] == vertex;
     };
-    for (std::size_t i = 0; i < mesh.indices.size(); i += corners) {
-        const auto primitive = mesh.indices.subspan(i, corners);
+    for (std::size_t i = 0; i < primitives.indices.size(); i += corners) {
+        const auto primitive = primitives.indices.subspan(i, corners);
         const auto added = static_cast<std::size_t>(
             std::count_if(primitive.begin(), primitive.end(), [&](ciel::Index vertex) { return !is_known(vertex); }));
         if (batch.vertices.size() + added > max_vertices && !batch.vertices.empty()) {
             batches.push_back(std::move(batch));
-            batch = {&mesh, i / corners, {}, {}};
+            batch = {&primitives, i / corners, {}, {}};
         }
         for (const ciel::Index vertex : primitive) {
             if (!is_known(vertex)) {
@@ -112,16 +113,16 @@ const char* name_of(bool value) { return value ? "true" : "false"; }
 
 // A record has 12 bytes for the grid position minus `low`, and with normals 4 more, of which 2 are unused.
 Quantized shape_array(const Batch& batch, double step) {
-    const Primitives& mesh = *batch.mesh;
+    const Primitives& primitives = *batch.primitives;
     Quantized array;
-    array.stride = mesh.normals.empty() ? 12 : 16;
+    array.stride = primitives.normals.empty() ? 12 : 16;
     std::vector<std::array<std::int32_t, 3>> places;
     places.reserve(batch.vertices.size());
     std::array<std::int32_t, 3> low{INT32_MAX, INT32_MAX, INT32_MAX};
     for (const ciel::Index vertex : batch.vertices) {
         auto& place = places.emplace_back();
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            place[axis] = on_grid(mesh.positions[vertex][axis], 1 / step);
+            place[axis] = on_grid(primitives.positions[vertex][axis], 1 / step);
             low[axis] = std::min(low[axis], place[axis]);
         }
     }
@@ -131,40 +132,41 @@ Quantized shape_array(const Batch& batch, double step) {
     for (std::size_t i = 0; i < places.size(); ++i, at += array.stride) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             put(at + 4 * axis, static_cast<std::uint32_t>(places[i][axis] - low[axis]));
-        if (mesh.normals.empty()) continue;
-        const auto normal = octahedral(mesh.normals[batch.vertices[i]]);
+        if (primitives.normals.empty()) continue;
+        const auto normal = octahedral(primitives.normals[batch.vertices[i]]);
         std::memcpy(at + 12, normal.data(), normal.size());
     }
     const XXH64_hash_t vertices = XXH3_64bits(array.bytes.data(), array.bytes.size());
     const std::array<double, 6> rest{step,           double(low[0]),       double(low[1]),
-                                     double(low[2]), double(array.stride), double(corners_of(mesh))};
+                                     double(low[2]), double(array.stride), double(corners_of(primitives))};
     array.id = XXH3_64bits_withSeed(rest.data(), sizeof rest,
                                     XXH3_64bits_withSeed(batch.indices.data(), 4 * batch.indices.size(), vertices));
     return array;
 }
 
-bool has_values(const Primitives& mesh) { return !mesh.scalars.empty() || !mesh.values.empty(); }
+bool has_values(const Primitives& primitives) { return !primitives.scalars.empty() || !primitives.values.empty(); }
 
 Quantized values_array(const Batch& batch) {
-    const Primitives& mesh = *batch.mesh;
+    const Primitives& primitives = *batch.primitives;
     std::vector<double> values;
-    if (!mesh.scalars.empty()) {
+    if (!primitives.scalars.empty()) {
         values.reserve(batch.vertices.size());
-        for (const ciel::Index vertex : batch.vertices) values.push_back(mesh.scalars[vertex]);
-    } else if (!mesh.values.empty()) {
-        const auto own = mesh.values.subview(batch.first, batch.indices.size() / corners_of(mesh));
+        for (const ciel::Index vertex : batch.vertices) values.push_back(primitives.scalars[vertex]);
+    } else if (!primitives.values.empty()) {
+        const auto own = primitives.values.subview(batch.first, batch.indices.size() / corners_of(primitives));
         values.assign(own.begin(), own.end());
     }
     Quantized array;
     array.bytes.resize(4 * values.size());
-    if (mesh.value_step > 0) {
-        const QuantizedValues places = quantized(values, mesh.range[0], mesh.value_step);
+    if (primitives.value_step > 0) {
+        const QuantizedValues places = quantized(values, primitives.range[0], primitives.value_step);
         array.low[0] = places.low;
         for (std::size_t i = 0; i < values.size(); ++i) put(array.bytes.data() + 4 * i, places.places[i]);
     } else {
         for (std::size_t i = 0; i < values.size(); ++i) put(array.bytes.data() + 4 * i, static_cast<float>(values[i]));
     }
-    const std::array<double, 4> rest{mesh.value_step, double(array.low[0]), mesh.range[0], double(mesh.values.empty())};
+    const std::array<double, 4> rest{primitives.value_step, double(array.low[0]), primitives.range[0],
+                                     double(primitives.values.empty())};
     array.id = XXH3_64bits_withSeed(rest.data(), sizeof rest, XXH3_64bits(array.bytes.data(), array.bytes.size()));
     return array;
 }
@@ -180,7 +182,7 @@ struct Counts { // compressed bytes per array; 0: not sent, because the receiver
     std::size_t vertices = 0, indices = 0, values = 0;
 };
 
-void append_arrays(std::string& json, const Primitives& mesh, const Quantized& shape, const Quantized& values,
+void append_arrays(std::string& json, const Primitives& primitives, const Quantized& shape, const Quantized& values,
                    double step, const Counts& counts) {
     json += ", \"mesh\": {\"id\": \"" + hexadecimal(shape.id) + "\", \"step\": ";
     append_number(json, step);
@@ -189,17 +191,17 @@ void append_arrays(std::string& json, const Primitives& mesh, const Quantized& s
     if (counts.vertices > 0)
         json += ", \"bytes\": [" + std::to_string(counts.vertices) + ", " + std::to_string(counts.indices) + "]";
     json += "}";
-    if (!has_values(mesh)) return;
-    json += std::string(", \"values\": {\"of\": \"") + (mesh.values.empty() ? "vertices"
-                                                        : mesh.points       ? "points"
-                                                        : mesh.lines        ? "lines"
-                                                                            : "triangles");
+    if (!has_values(primitives)) return;
+    json += std::string(", \"values\": {\"of\": \"") + (primitives.values.empty() ? "vertices"
+                                                        : primitives.points       ? "points"
+                                                        : primitives.lines        ? "lines"
+                                                                                  : "triangles");
     json += "\", \"id\": \"" + hexadecimal(values.id) + "\"";
-    if (mesh.value_step > 0) {
+    if (primitives.value_step > 0) {
         json += ", \"step\": ";
-        append_number(json, mesh.value_step);
+        append_number(json, primitives.value_step);
         json += ", \"origin\": ";
-        append_number(json, mesh.range[0]);
+        append_number(json, primitives.range[0]);
         json += ", \"low\": " + std::to_string(values.low[0]);
     }
     if (counts.values > 0) json += ", \"bytes\": " + std::to_string(counts.values);
@@ -212,27 +214,31 @@ struct Place { // index of a batch in the frame, number of batches in the frame,
 };
 
 std::string description(const Batch& batch, ciel::Vec3d origin, const std::string& arrays, const Place& place) {
-    const Primitives& mesh = *batch.mesh;
+    const Primitives& primitives = *batch.primitives;
     std::string json = "{\"layer\": ";
-    append_string(json, mesh.layer);
-    json += std::string(", \"kind\": \"") + (mesh.points ? "points" : mesh.lines ? "lines" : "triangles") + "\"";
+    append_string(json, primitives.layer);
+    json += std::string(", \"kind\": \"") +
+            (primitives.points  ? "points"
+             : primitives.lines ? "lines"
+                                : "triangles") +
+            "\"";
     json += ", \"vertices\": " + std::to_string(batch.vertices.size());
     json += ", \"indices\": " + std::to_string(batch.indices.size());
-    json += std::string(", \"normals\": ") + name_of(!mesh.normals.empty());
+    json += std::string(", \"normals\": ") + name_of(!primitives.normals.empty());
     json += arrays + ", \"map\": ";
-    append_string(json, mesh.map);
+    append_string(json, primitives.map);
     json += ", \"range\": ";
-    append_array(json, mesh.range);
-    json += ", \"scale\": " + mesh.scale + ", \"color\": ";
-    append_array(json, mesh.color);
-    json += std::string(", \"lit\": ") + name_of(mesh.lit);
-    if (mesh.lines || mesh.points) {
+    append_array(json, primitives.range);
+    json += ", \"scale\": " + primitives.scale + ", \"color\": ";
+    append_array(json, primitives.color);
+    json += std::string(", \"lit\": ") + name_of(primitives.lit);
+    if (primitives.lines || primitives.points) {
         json += ", \"width\": ";
-        append_number(json, mesh.line_width);
+        append_number(json, primitives.line_width);
     }
-    if (!mesh.clip.empty()) {
+    if (!primitives.clip.empty()) {
         json += ", \"clip\": ";
-        append_list(json, mesh.clip, [&](const auto& plane) { append_array(json, plane); });
+        append_list(json, primitives.clip, [&](const auto& plane) { append_array(json, plane); });
     }
     json += ", \"origin\": ";
     append_array(json, origin);
@@ -251,34 +257,35 @@ std::vector<std::uint8_t> with_description(const std::string& json, const std::v
 
 std::vector<std::uint8_t> encode(const Batch& batch, ciel::Vec3d origin, double step, const HeldArrays& held,
                                  const Place& place, ArrayIds& ids) {
-    const Primitives& mesh = *batch.mesh;
+    const Primitives& primitives = *batch.primitives;
     const Quantized shape = shape_array(batch, step);
     const Quantized values = values_array(batch);
     Counts counts;
     std::vector<std::uint8_t> arrays;
     if (!held.ids.contains(shape.id)) {
         counts.vertices = append_vertices(arrays, shape.bytes, shape.stride);
-        counts.indices = mesh.lines || mesh.points ? append_sequence(arrays, batch.indices, batch.vertices.size())
-                                                   : append_triangles(arrays, batch.indices, batch.vertices.size());
+        counts.indices = primitives.lines || primitives.points
+                             ? append_sequence(arrays, batch.indices, batch.vertices.size())
+                             : append_triangles(arrays, batch.indices, batch.vertices.size());
     }
     ids.insert(shape.id);
-    if (has_values(mesh)) {
+    if (has_values(primitives)) {
         if (!held.ids.contains(values.id)) counts.values = append_vertices(arrays, values.bytes, values.stride);
         ids.insert(values.id);
     }
     std::string read;
-    append_arrays(read, mesh, shape, values, step, counts);
+    append_arrays(read, primitives, shape, values, step, counts);
     return with_description(description(batch, origin, read, place), arrays);
 }
 
 } // namespace
 
-EncodedGeometry encode_geometry(std::span<const Primitives> meshes, ciel::Vec3d origin, double step,
+EncodedGeometry encode_geometry(std::span<const Primitives> all, ciel::Vec3d origin, double step,
                                 const HeldArrays& held, std::size_t max_vertices) {
     std::vector<Batch> batches;
-    for (const Primitives& mesh : meshes) {
-        check(mesh);
-        split(mesh, max_vertices, batches);
+    for (const Primitives& primitives : all) {
+        check(primitives);
+        split(primitives, max_vertices, batches);
     }
     EncodedGeometry out;
     out.payloads.reserve(batches.size());

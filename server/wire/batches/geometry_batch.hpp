@@ -34,7 +34,7 @@ struct Primitives {
 
 inline constexpr std::size_t batch_vertices = 65536;
 
-using ArrayIds = std::unordered_set<std::uint64_t>; // content hashes of meshes and values of batches
+using ArrayIds = std::unordered_set<std::uint64_t>; // content hashes of the arrays of batches
 
 struct HeldArrays {
     std::uint32_t base = 0; // last acknowledged frame; 0 if there is none
@@ -49,7 +49,7 @@ struct EncodedGeometry {
 // Returns one payload per batch; without batches, a single payload with "batches": 0. Vertices shared between batches
 // are repeated with the same grid position. Triangles keep their order. An array in `held` is sent as its id only.
 // `step`: grid step in length units, a power of two (quantize.hpp). Throws Error if sizes or indices do not fit.
-[[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> meshes, ciel::Vec3d origin, double step,
+[[nodiscard]] EncodedGeometry encode_geometry(std::span<const Primitives> all, ciel::Vec3d origin, double step,
                                               const HeldArrays& held = {}, std::size_t max_vertices = batch_vertices);
 
 } // namespace server::wire

@@ -93,10 +93,10 @@ Frame written_over(const Shape& wall, const color::ColorScale& scale, bool light
         frame.background_top = {1, 1, 1};
         frame.background_bottom = {0.9F, 0.92F, 0.95F};
     }
-    Primitives mesh = wall.mesh();
-    mesh.lit = false;
-    mesh.scale = scale;
-    frame.primitives = {mesh};
+    Primitives primitives = wall.primitives();
+    primitives.lit = false;
+    primitives.scale = scale;
+    frame.primitives = {primitives};
     return frame;
 }
 

@@ -51,7 +51,7 @@ TEST_P(AnnotationPicture, LooksAsItDid) {
             Frame frame = annotated_frame(width, height);
             if (light) paint_light(frame);
             frame.samples = 4;
-            frame.primitives = {wall.mesh(), ball.mesh()};
+            frame.primitives = {wall.primitives(), ball.primitives()};
             frame.primitives[0].scale.range = {-1, 1};
             draw(frame);
             const std::string name =
@@ -136,12 +136,12 @@ TEST_P(AnnotationPicture, TextIsLegibleOnASurfaceOfItsOwnColor) {
     for (const bool light : {false, true}) {
         Frame frame = front_view(320, 240);
         if (light) paint_light(frame);
-        Primitives mesh = wall.mesh();
-        mesh.scalars = {};
-        mesh.lit = false;
-        mesh.color = light ? std::array{0.07F, 0.08F, 0.10F, 1.0F} : std::array{0.93F, 0.94F, 0.96F, 1.0F};
+        Primitives primitives = wall.primitives();
+        primitives.scalars = {};
+        primitives.lit = false;
+        primitives.color = light ? std::array{0.07F, 0.08F, 0.10F, 1.0F} : std::array{0.93F, 0.94F, 0.96F, 1.0F};
         frame.camera.parallel_height = 1; // the surface fills the picture
-        frame.primitives = {mesh};
+        frame.primitives = {primitives};
         frame.annotations.title = "legible";
         draw(frame);
         int contrary = 0;
@@ -167,7 +167,7 @@ TEST_P(AnnotationPicture, ManySizesOneAfterTheOtherStayRight) {
 TEST_P(AnnotationPicture, PickStillFindsTheSurfaceBehindText) {
     const Shape wall = square(0);
     Frame frame = front_view();
-    frame.primitives = {wall.mesh()};
+    frame.primitives = {wall.primitives()};
     frame.annotations = all_annotations();
     draw(frame);
     Vec3d found{};

@@ -260,17 +260,17 @@ TEST_P(scene_geometry, the_frame_borrows_and_draws_opaque_layers_first) {
     EXPECT_EQ(frame.primitives[2].color[3], 0.5F);
     const std::size_t drawn_from[] = {1, 2, 0}; // drawables are in layer order: glass, iso, outline
     for (std::size_t i = 0; i < 3; ++i) {
-        const render::Primitives& mesh = frame.primitives[i];
+        const render::Primitives& primitives = frame.primitives[i];
         const Drawable& drawable = shown->drawables.at(drawn_from[i]);
-        EXPECT_EQ(mesh.positions.data(), drawable.shape->surface.positions.data()) << i;
-        EXPECT_EQ(mesh.normals.data(), drawable.shape->surface.normals.data()) << i;
-        EXPECT_EQ(mesh.indices.data(), drawable.shape->indices.data()) << i;
-        EXPECT_EQ(mesh.scalars.data(), drawable.scalars ? drawable.scalars->data() : nullptr) << i;
+        EXPECT_EQ(primitives.positions.data(), drawable.shape->surface.positions.data()) << i;
+        EXPECT_EQ(primitives.normals.data(), drawable.shape->surface.normals.data()) << i;
+        EXPECT_EQ(primitives.indices.data(), drawable.shape->indices.data()) << i;
+        EXPECT_EQ(primitives.scalars.data(), drawable.scalars ? drawable.scalars->data() : nullptr) << i;
     }
     EXPECT_EQ(frame.origin, shown->origin);
     EXPECT_EQ(frame.bounds_max[0], test::box_origin[0] + test::box_edge);
     const auto lines =
-        std::find_if(frame.primitives.begin(), frame.primitives.end(), [](const auto& mesh) { return mesh.lines; });
+        std::find_if(frame.primitives.begin(), frame.primitives.end(), [](const auto& primitives) { return primitives.lines; });
     ASSERT_NE(lines, frame.primitives.end());
     EXPECT_EQ(lines->indices.size(), 24U);
 }

@@ -14,13 +14,13 @@ struct Shape {
     std::vector<float> scalars;
     std::vector<Index> indices;
 
-    [[nodiscard]] Primitives mesh() const {
-        Primitives mesh;
-        mesh.positions = positions;
-        mesh.normals = normals;
-        mesh.scalars = scalars;
-        mesh.indices = indices;
-        return mesh;
+    [[nodiscard]] Primitives primitives() const {
+        Primitives primitives;
+        primitives.positions = positions;
+        primitives.normals = normals;
+        primitives.scalars = scalars;
+        primitives.indices = indices;
+        return primitives;
     }
 };
 

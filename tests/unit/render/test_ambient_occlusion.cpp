@@ -26,11 +26,11 @@ protected:
     }
     Primitives& add(Shape shape) {
         shapes.push_back(std::move(shape));
-        Primitives mesh = shapes.back().mesh();
-        mesh.scalars = {};
-        mesh.normals = {};
-        mesh.color = {1, 1, 1, 1};
-        frame.primitives.push_back(mesh);
+        Primitives primitives = shapes.back().primitives();
+        primitives.scalars = {};
+        primitives.normals = {};
+        primitives.color = {1, 1, 1, 1};
+        frame.primitives.push_back(primitives);
         return frame.primitives.back();
     }
     Image draw(double radius, float strength = 1) {
@@ -297,7 +297,7 @@ TEST_P(OcclusionTest, AnOutlineInFrontOfACornerKeepsItsOwnLight) {
 // the corner blue, so each channel shows the share of one surface times its light.
 TEST_P(OcclusionTest, ABallsOutlineHasNoLightOfTheCornerBehindNorTheCornerOfTheBall) {
     add_corner();
-    for (Primitives& mesh : frame.primitives) mesh.color = {0, 0, 1, 1};
+    for (Primitives& primitives : frame.primitives) primitives.color = {0, 0, 1, 1};
     const auto drawn = [&](double radius) {
         std::vector<Image> images;
         for (const int samples : {1, 4}) {

@@ -44,11 +44,11 @@ TEST_P(ClipAndPoints, APlaneCutsSurfacesOpaqueAndTransparentAndWhatIsPicked) {
     for (const float opacity : {1.0F, 0.5F})
         for (const int samples : {1, 4}) {
             frame.samples = samples;
-            Primitives mesh = shape.mesh();
-            mesh.scalars = {};
-            mesh.lit = false;
-            mesh.color = {1, 1, 1, opacity};
-            frame.primitives = {mesh};
+            Primitives primitives = shape.primitives();
+            primitives.scalars = {};
+            primitives.lit = false;
+            primitives.color = {1, 1, 1, opacity};
+            frame.primitives = {primitives};
             frame.clip = {};
             draw();
             const std::array<int, 2> whole = lit();
@@ -73,7 +73,7 @@ TEST_P(ClipAndPoints, APlaneCutsSurfacesOpaqueAndTransparentAndWhatIsPicked) {
 // Without clip planes, a lit surface of one color with normals is drawn by a shader program without plane code.
 TEST_P(ClipAndPoints, ABallIsWholeAgainAfterAPlane) {
     const Shape ball = sphere(0.8);
-    frame.primitives = {ball.mesh()};
+    frame.primitives = {ball.primitives()};
     draw();
     const Image whole = image;
     frame.clip = {{-1, 0, 0, 0}};
@@ -96,8 +96,8 @@ TEST_P(ClipAndPoints, APlaneCutsLinesAndPoints) {
     points.lines = false;
     points.points = true;
     points.point_size = 20;
-    for (const Primitives& mesh : {line, points}) {
-        frame.primitives = {mesh};
+    for (const Primitives& primitives : {line, points}) {
+        frame.primitives = {primitives};
         frame.clip = {};
         draw();
         const std::array<int, 2> whole = lit();
@@ -127,7 +127,7 @@ TEST_P(ClipAndPoints, APointIsADiscOfItsSizeThatSurfacesHide) {
         EXPECT_TRUE(picked(160, 120));
     }
     const Shape wall = square(-0.5);
-    Primitives hiding = wall.mesh();
+    Primitives hiding = wall.primitives();
     hiding.scalars = {};
     hiding.lit = false;
     hiding.color = {0, 0, 0, 1};
@@ -138,7 +138,7 @@ TEST_P(ClipAndPoints, APointIsADiscOfItsSizeThatSurfacesHide) {
 
 TEST_P(ClipAndPoints, MorePlanesThanThereAreAreRefused) {
     const Shape shape = square(0);
-    frame.primitives = {shape.mesh()};
+    frame.primitives = {shape.primitives()};
     frame.clip.assign(6, {0, 0, 0, 1});
     EXPECT_NO_THROW(draw());
     frame.clip.assign(7, {0, 0, 0, 1});

@@ -28,18 +28,18 @@ protected:
     Renderer renderer{GetParam()};
     Image image;
 
-    void draw(const std::vector<Primitives>& meshes) {
+    void draw(const std::vector<Primitives>& all) {
         Frame frame = front_view(width, height);
         frame.camera.parallel_height = 2; // 20 units wide
-        frame.primitives = meshes;
+        frame.primitives = all;
         renderer.draw(frame, image);
     }
     void draw(const Shape& shape, const color::ColorScale& scale, float opacity = 1) {
-        Primitives mesh = shape.mesh();
-        mesh.lit = false;
-        mesh.scale = scale;
-        mesh.color[3] = opacity;
-        draw({mesh});
+        Primitives primitives = shape.primitives();
+        primitives.lit = false;
+        primitives.scale = scale;
+        primitives.color[3] = opacity;
+        draw({primitives});
     }
     [[nodiscard]] color::Rgb8 at(int x, int y = height / 2) const {
         const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * width + x)];
@@ -86,17 +86,17 @@ TEST_P(ColorScalePicture, DoublesFarFromZeroHaveTheColorsOfTheSameDoublesAroundZ
             scale.steps = steps;
             scale.below = color::Rgb8{255, 0, 0};
             scale.above = color::Rgb8{0, 255, 0};
-            Primitives mesh = shape.mesh();
-            mesh.lit = false;
-            mesh.color[3] = opacity;
-            mesh.scale = scale;
-            mesh.scalars = near_zero;
-            draw({mesh});
+            Primitives primitives = shape.primitives();
+            primitives.lit = false;
+            primitives.color[3] = opacity;
+            primitives.scale = scale;
+            primitives.scalars = near_zero;
+            draw({primitives});
             const Image wanted = image;
-            mesh.scale.range = {far - reach, far + reach};
-            mesh.scalars = far_away;
-            mesh.scalar_origin = far + 0.001; // any number near the values
-            draw({mesh});
+            primitives.scale.range = {far - reach, far + reach};
+            primitives.scalars = far_away;
+            primitives.scalar_origin = far + 0.001; // any number near the values
+            draw({primitives});
             std::size_t unlike = 0;
             for (std::size_t i = 0; i < image.rgb.size(); ++i) unlike += std::abs(image.rgb[i] - wanted.rgb[i]) > 2;
             EXPECT_LE(unlike, 3U * height * 9) << "at the ends of the steps alone; " << steps << ' ' << opacity;
@@ -217,7 +217,7 @@ TEST_P(ColorScalePicture, PointsHaveTheirColorsAndEdges) {
 // Eight layers of one frame have different scales and opacities. The next frame changes all scales.
 TEST_P(ColorScalePicture, EachLayerHasItsOwnScale) {
     std::vector<Shape> shapes;
-    std::vector<Primitives> meshes;
+    std::vector<Primitives> all;
     for (int i = 0; i < 8; ++i) {
         shapes.push_back(grid(1, 1, [&](double u, double v) {
             return Vec3f{static_cast<float>(-10 + 2.5 * (i + u)), 0, static_cast<float>(2 * v - 1)};
@@ -225,20 +225,20 @@ TEST_P(ColorScalePicture, EachLayerHasItsOwnScale) {
         shapes.back().scalars.assign(4, 5.0F);
     }
     for (int round = 0; round < 3; ++round) {
-        meshes.clear();
+        all.clear();
         for (int i = 0; i < 8; ++i) {
-            Primitives mesh = shapes[static_cast<std::size_t>(i)].mesh();
-            mesh.lit = false;
-            mesh.scale.map = color::color_map_names()[static_cast<std::size_t>(i + round)];
-            mesh.scale.range = {0, static_cast<float>(6 + i)};
-            mesh.scale.reverse = (i + round) % 2 == 0;
-            mesh.scale.steps = i % 3 == 0 ? 4 : 0;
-            mesh.color[3] = i % 2 == 0 ? 1.0F : 0.999F;
-            meshes.push_back(mesh);
+            Primitives primitives = shapes[static_cast<std::size_t>(i)].primitives();
+            primitives.lit = false;
+            primitives.scale.map = color::color_map_names()[static_cast<std::size_t>(i + round)];
+            primitives.scale.range = {0, static_cast<float>(6 + i)};
+            primitives.scale.reverse = (i + round) % 2 == 0;
+            primitives.scale.steps = i % 3 == 0 ? 4 : 0;
+            primitives.color[3] = i % 2 == 0 ? 1.0F : 0.999F;
+            all.push_back(primitives);
         }
-        draw(meshes);
+        draw(all);
         for (int i = 0; i < 8; ++i) {
-            const color::Rgb8 wanted = color::color_of(meshes[static_cast<std::size_t>(i)].scale, 5);
+            const color::Rgb8 wanted = color::color_of(all[static_cast<std::size_t>(i)].scale, 5);
             for (std::size_t k = 0; k < 3; ++k)
                 EXPECT_NEAR(at(50 * i + 25)[k], wanted[k], 2) << round << " layer " << i << " channel " << k;
         }

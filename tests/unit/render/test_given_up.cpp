@@ -53,7 +53,7 @@ protected:
     }
 
     Primitives& add(Frame& to, const Shape& shape, float opacity) {
-        to.primitives.push_back(shape.mesh());
+        to.primitives.push_back(shape.primitives());
         to.primitives.back().identity = ++identity;
         to.primitives.back().revision = identity;
         to.primitives.back().color[3] = opacity;
@@ -193,7 +193,7 @@ TEST_P(GivenUpUploadTest, TransparentTriangles) {
     (void)take_counts();
     (void)picture_of(frame);
     whole = take_counts().bytes;
-    for (Primitives& mesh : frame.primitives) mesh.revision += layers; // marks all layers as changed
+    for (Primitives& primitives : frame.primitives) primitives.revision += layers; // marks all layers as changed
     EXPECT_EQ(sent_before(layers), 0U) << "the layers are gathered one by one";
     int places = layers;
     while (sent_before(places) == 0 && places < 100 * layers) ++places;
@@ -220,7 +220,8 @@ TEST_P(GivenUpUploadTest, AnOpaqueMesh) {
 
 TEST_P(GivenUpUploadTest, TheOrderOfATurnedView) {
     add_layers(false);
-    for (Primitives& mesh : frame.primitives) mesh.color[0] = 0.02F * static_cast<float>(mesh.identity);
+    for (Primitives& primitives : frame.primitives)
+        primitives.color[0] = 0.02F * static_cast<float>(primitives.identity);
     add(frame, plane, 0.5F);
     (void)picture_of(frame);
     std::swap(frame.camera.position[0], frame.camera.position[1]);

@@ -151,7 +151,7 @@ TEST(InnerPolygonsOfAPicture, LookAsTheOthersDo) {
             frame.volumes[0].opacity_points = {{0, 0.2}, {1, 0.9}};
             Image inner, others;
             renderer().draw(frame, inner);
-            frame.primitives = {nowhere.mesh()};
+            frame.primitives = {nowhere.primitives()};
             renderer().draw(frame, others);
             int most = 0;
             for (std::size_t i = 0; i < inner.rgb.size(); ++i)

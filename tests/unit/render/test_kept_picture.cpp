@@ -37,7 +37,7 @@ protected:
     }
     void show_all() {
         frame.primitives.clear();
-        for (const Shape& shape : shapes) frame.primitives.push_back(shape.mesh());
+        for (const Shape& shape : shapes) frame.primitives.push_back(shape.primitives());
     }
 
     Renderer renderer{Backend::automatic};

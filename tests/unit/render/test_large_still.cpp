@@ -71,7 +71,7 @@ TEST(LargeStillTest, OfAVolumeTransparentSurfacesAndWriting) {
     Frame frame = front_view();
     frame.camera.position = {1.5, -5, 1};
     frame.samples = 4;
-    frame.primitives = {plane.mesh(), ball.mesh(), inner.mesh()};
+    frame.primitives = {plane.primitives(), ball.primitives(), inner.primitives()};
     frame.primitives[1].color = {0.9F, 0.4F, 0.2F, 0.4F};
     frame.primitives[2].color = {0.2F, 0.5F, 0.9F, 0.6F};
     frame.volumes = {scene.volume({0, 1, 0}, 31)};
@@ -103,7 +103,7 @@ TEST(LargeStillTest, OfALargeScreenHasSmoothTransparentOutlines) {
     Frame frame = front_view(3840, 2160);
     frame.samples = 4;
     frame.background_top = frame.background_bottom = {0, 0, 0};
-    frame.primitives = {ball.mesh()};
+    frame.primitives = {ball.primitives()};
     frame.primitives[0].lit = false;
     frame.primitives[0].color = {1, 1, 1, 0.5F};
     Image image;

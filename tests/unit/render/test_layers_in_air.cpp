@@ -42,11 +42,11 @@ protected:
     }
     void add(Shape shape, std::array<float, 4> color) {
         shapes.push_back(std::move(shape));
-        Primitives mesh = shapes.back().mesh();
-        mesh.scalars = {};
-        mesh.lit = false;
-        mesh.color = color;
-        frame.primitives.push_back(mesh);
+        Primitives primitives = shapes.back().primitives();
+        primitives.scalars = {};
+        primitives.lit = false;
+        primitives.color = color;
+        frame.primitives.push_back(primitives);
     }
     Image drawn(int samples, bool with_air) {
         frame.samples = samples;

@@ -38,10 +38,10 @@ protected:
             std::reverse(shape.indices.begin(), shape.indices.end());
     }
 
-    double middle(Primitives mesh, std::size_t right = 0) {
-        mesh.scalars = {};
-        mesh.color = {gray, gray, gray, 1};
-        frame.primitives = {mesh};
+    double middle(Primitives primitives, std::size_t right = 0) {
+        primitives.scalars = {};
+        primitives.color = {gray, gray, gray, 1};
+        frame.primitives = {primitives};
         Image image;
         renderer.draw(frame, image);
         return image.rgb[3 * (120 * 320 + 160 + right)] / 255.0;
@@ -52,7 +52,7 @@ TEST_P(LightingTest, EachLightAddsItsStrength) {
     for (const Lighting lighting : {Lighting{}, Lighting{0, 1, 0}, Lighting{0, 0, 1}, Lighting{1, 0, 0},
                                     Lighting{0.5F, 2, 0.25F}, Lighting{0, 0, 0}}) {
         frame.lighting = lighting;
-        EXPECT_NEAR(middle(shape.mesh()), expected(lighting), 0.003)
+        EXPECT_NEAR(middle(shape.primitives()), expected(lighting), 0.003)
             << lighting.ambient << " " << lighting.headlight << " " << lighting.key_light;
     }
 }
@@ -73,7 +73,7 @@ TEST_P(LightingTest, EachLightAddsWhatTheNormalTakesOfIt) {
                                          {side * static_cast<float>(normal[0]), side * static_cast<float>(-normal[2]),
                                           side * static_cast<float>(normal[1])});
                     wind(side > 0);
-                    EXPECT_NEAR(middle(shape.mesh()), expected(lighting, normal), 0.003)
+                    EXPECT_NEAR(middle(shape.primitives()), expected(lighting, normal), 0.003)
                         << normal[0] << " " << normal[1] << " " << normal[2] << ", lights " << lighting.ambient << " "
                         << lighting.headlight << " " << lighting.key_light << ", side " << side << ", " << clipped;
                 }
@@ -93,36 +93,36 @@ TEST_P(LightingTest, NormalsThatLookAwayAreMirrored) {
                                      {side * static_cast<float>(seen[0]), side * static_cast<float>(away),
                                       side * static_cast<float>(seen[1])});
                 wind(side > 0);
-                EXPECT_NEAR(middle(shape.mesh()), expected({}, seen), 0.003)
+                EXPECT_NEAR(middle(shape.primitives()), expected({}, seen), 0.003)
                     << away << ", side " << side << ", " << clipped;
             }
 }
 
 TEST_P(LightingTest, WhatIsUnlitHasItsOwnColor) {
     frame.lighting = {0, 0, 0};
-    Primitives mesh = shape.mesh();
-    mesh.lit = false;
-    EXPECT_NEAR(middle(mesh), gray, 0.003);
+    Primitives primitives = shape.primitives();
+    primitives.lit = false;
+    EXPECT_NEAR(middle(primitives), gray, 0.003);
 }
 
 TEST_P(LightingTest, PointsAreLitAsBallsOrNotAtAll) {
     Shape point;
     point.positions = {{0, 0, 0}};
     point.indices = {0};
-    Primitives mesh = point.mesh();
-    mesh.points = true;
-    mesh.point_size = 41; // odd, so that the point's center is the center of a pixel
-    EXPECT_NEAR(middle(mesh), gray, 0.01);
+    Primitives primitives = point.primitives();
+    primitives.points = true;
+    primitives.point_size = 41; // odd, so that the point's center is the center of a pixel
+    EXPECT_NEAR(middle(primitives), gray, 0.01);
     // Pixels to the right of the center. The point is shaded as a ball with a radius of 21 pixels.
     for (const std::size_t right : {8, 14, 18}) {
         const double side = std::hypot(static_cast<double>(right) + 0.5, 0.5) / 21;
-        EXPECT_NEAR(middle(mesh, right), gray * (0.55 + 0.45 * std::sqrt(1 - side * side)), 0.004) << right;
+        EXPECT_NEAR(middle(primitives, right), gray * (0.55 + 0.45 * std::sqrt(1 - side * side)), 0.004) << right;
     }
     frame.lighting = {1, 0, 1};
-    EXPECT_NEAR(middle(mesh), 0.55 * gray, 0.01);
+    EXPECT_NEAR(middle(primitives), 0.55 * gray, 0.01);
     frame.lighting = {0, 0, 0};
-    mesh.lit = false;
-    EXPECT_NEAR(middle(mesh), gray, 0.003);
+    primitives.lit = false;
+    EXPECT_NEAR(middle(primitives), gray, 0.003);
 }
 
 INSTANTIATE_TEST_SUITE_P(, LightingTest, testing::ValuesIn(available_backends()), name_of_test);

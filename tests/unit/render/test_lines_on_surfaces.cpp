@@ -31,10 +31,10 @@ protected:
         });
     }
     static Primitives colored(const Shape& shape, std::array<float, 4> color) {
-        Primitives mesh = shape.mesh();
-        mesh.lit = false;
-        mesh.color = color;
-        return mesh;
+        Primitives primitives = shape.primitives();
+        primitives.lit = false;
+        primitives.color = color;
+        return primitives;
     }
     [[nodiscard]] const std::uint8_t* at(int x, int y) const {
         return &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];

@@ -101,7 +101,7 @@ TEST(MovingVolume, HasNoFringeAtTheOutlineOfASurface) {
     for (const View& view : {views[1], views[2], views[4], views[5]}) {
         Frame frame = frame_of(view);
         frame.background_top = frame.background_bottom = {1, 1, 1};
-        frame.primitives.push_back(ball.mesh());
+        frame.primitives.push_back(ball.primitives());
         frame.primitives[0].color = {0.9F, 0.9F, 0.2F, 1};
         Volume volume = fog.volume(nearest_axis(view.from), 45);
         volume.scale.points = {{0, {20, 40, 120}}, {1, {20, 40, 120}}};

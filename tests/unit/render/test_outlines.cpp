@@ -49,11 +49,11 @@ protected:
     }
     Primitives& add(const Shape& shape) {
         shapes.push_back(shape);
-        Primitives mesh = shapes.back().mesh();
-        mesh.scalars = {};
-        mesh.color = {0, 0, 0, 1};
-        mesh.lit = false;
-        frame.primitives.push_back(mesh);
+        Primitives primitives = shapes.back().primitives();
+        primitives.scalars = {};
+        primitives.color = {0, 0, 0, 1};
+        primitives.lit = false;
+        frame.primitives.push_back(primitives);
         return frame.primitives.back();
     }
     [[nodiscard]] double light(const Ray& ray) const {
@@ -193,7 +193,7 @@ TEST_F(OutlineOfAVolume, IsSmooth) {
             frame.samples = 4;
             frame.volumes = {rock(cube)};
             const Shape behind = square(0.99); // behind the opaque front of the volume
-            Primitives sheet = behind.mesh();
+            Primitives sheet = behind.primitives();
             sheet.scalars = {};
             sheet.color = {0, 0, 0, 0.5F};
             if (among_layers) frame.primitives.push_back(sheet);

@@ -39,12 +39,12 @@ protected:
     }
     void add(Shape shape, const Color& color, double opacity) {
         shapes.push_back(std::move(shape));
-        Primitives mesh = shapes.back().mesh();
-        mesh.scalars = {};
-        mesh.lit = false;
-        for (std::size_t k = 0; k < 3; ++k) mesh.color[k] = static_cast<float>(color[k]);
-        mesh.color[3] = static_cast<float>(opacity);
-        frame.primitives.push_back(mesh);
+        Primitives primitives = shapes.back().primitives();
+        primitives.scalars = {};
+        primitives.lit = false;
+        for (std::size_t k = 0; k < 3; ++k) primitives.color[k] = static_cast<float>(color[k]);
+        primitives.color[3] = static_cast<float>(opacity);
+        frame.primitives.push_back(primitives);
     }
     void expect(int x, int y, const Color& color, double most = 2) const {
         const std::uint8_t* p = &image.rgb[3 * static_cast<std::size_t>(y * image.width + x)];
@@ -154,7 +154,7 @@ TEST_P(PeelingTest, NothingIsSaidOfLayersThatWouldNotBeSeen) {
     renderer.draw(frame, image);
     EXPECT_TRUE(renderer.remarks().empty()) << "as many as there may be";
     for (int i = 32; i < 40; ++i) add(square(-0.9 + 0.045 * i), {0, 0, 1}, 0.02);
-    for (Primitives& mesh : frame.primitives) mesh.color[3] = 0.3F;
+    for (Primitives& primitives : frame.primitives) primitives.color[3] = 0.3F;
     renderer.draw(frame, image);
     EXPECT_TRUE(renderer.remarks().empty()) << "the first eighteen let nothing through";
 }

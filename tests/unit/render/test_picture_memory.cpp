@@ -28,7 +28,7 @@ TEST_P(PictureMemory, IsNoLessThanWhatTheSoftwareGlKeeps) {
     const Shape dot = sphere(0.5, {}, 8);
     Frame frame = front_view(320, 200);
     frame.check_wanted = [] {};
-    frame.primitives = {dot.mesh()};
+    frame.primitives = {dot.primitives()};
     (void)renderer.draw(frame);
     const std::uint64_t before = used_by_malloc();
     std::vector<Shape> spheres;
@@ -36,7 +36,7 @@ TEST_P(PictureMemory, IsNoLessThanWhatTheSoftwareGlKeeps) {
     const std::uint64_t of_spheres = used_by_malloc() - before;
     frame.primitives.clear();
     for (const Shape& each : spheres) {
-        frame.primitives.push_back(each.mesh());
+        frame.primitives.push_back(each.primitives());
         frame.primitives.back().identity = frame.primitives.size();
     }
     (void)renderer.draw(frame);

@@ -77,12 +77,12 @@ TEST_P(RendererTest, SphereIsLitAndHasNoBlackPatches) {
     const Shape shape = sphere(1);
     for (const bool smooth : {true, false}) {
         for (const bool inverted : {false, true}) {
-            Primitives mesh = shape.mesh();
+            Primitives primitives = shape.primitives();
             std::vector<Vec3f> normals = shape.normals;
             if (inverted)
                 for (Vec3f& n : normals) n = {-n[0], -n[1], -n[2]};
-            mesh.normals = smooth ? std::span<const Vec3f>(normals) : std::span<const Vec3f>();
-            frame.primitives = {mesh};
+            primitives.normals = smooth ? std::span<const Vec3f>(normals) : std::span<const Vec3f>();
+            frame.primitives = {primitives};
             draw();
             // The ball is a disc of radius 1 in a view of 3 x 4 units.
             const double covered = share([](Pixel p) { return p.brightness() > 42; });
@@ -105,11 +105,11 @@ TEST_P(RendererTest, SphereIsLitAndHasNoBlackPatches) {
 TEST_P(RendererTest, UnlitSliceShowsTheColorMapExactly) {
     const Shape shape = square(0);
     for (const std::string& name : color::color_map_names()) {
-        Primitives mesh = shape.mesh();
-        mesh.scale.map = name;
-        mesh.scale.range = {-1, 1};
-        mesh.lit = false;
-        frame.primitives = {mesh};
+        Primitives primitives = shape.primitives();
+        primitives.scale.map = name;
+        primitives.scale.range = {-1, 1};
+        primitives.lit = false;
+        frame.primitives = {primitives};
         draw();
         for (const int x : {85, 120, 160, 200, 235}) {
             const double value = ((x + 0.5) / 320 * 4 - 2) / 2 + 0.5;
@@ -126,10 +126,10 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
     Shape shape = square(0);
     for (std::size_t i = 0; i < shape.scalars.size(); ++i)
         if (shape.positions[i][2] > 0.5F) shape.scalars[i] = std::numeric_limits<float>::quiet_NaN();
-    Primitives mesh = shape.mesh();
-    mesh.lit = false;
-    mesh.scale.range = {-0.25F, 0.25F};
-    frame.primitives = {mesh};
+    Primitives primitives = shape.primitives();
+    primitives.lit = false;
+    primitives.scale.range = {-0.25F, 0.25F};
+    frame.primitives = {primitives};
     draw();
     const std::string map = "viridis";
     const auto& viridis = color::color_map(map);
@@ -139,8 +139,8 @@ TEST_P(RendererTest, ValuesOutsideTheRangeTakeItsEndsAndNaNIsGrey) {
     EXPECT_NEAR(grey.r, 128, 2);
     EXPECT_NEAR(grey.g, 128, 2);
     EXPECT_NEAR(grey.b, 128, 2);
-    mesh.scale.range = {0, 0}; // range of a constant field, which has the color in the middle of the map
-    frame.primitives = {mesh};
+    primitives.scale.range = {0, 0}; // range of a constant field, which has the color in the middle of the map
+    frame.primitives = {primitives};
     draw();
     EXPECT_NEAR(center().g, viridis[128][1], 3);
 }
@@ -156,7 +156,7 @@ TEST_P(RendererTest, LinesHaveTheirWidthAndHideBehindSurfaces) {
     EXPECT_LT(at(20, 120).r, 60) << "the line ends";
 
     const Shape shape = square(-0.5); // the square is in front of the line
-    Primitives surface = shape.mesh();
+    Primitives surface = shape.primitives();
     surface.scalars = {};
     surface.color = {0, 0, 1, 1};
     frame.primitives = {lines, surface};
@@ -180,8 +180,8 @@ TEST_P(RendererTest, LinesThroughTheEyeAreCutAtTheNearestPlane) {
 TEST_P(RendererTest, TransparentSurfacesBlendFromTheBackToTheFront) {
     const Shape near_shape = square(-0.5);
     const Shape far_shape = square(0.5);
-    Primitives near_mesh = near_shape.mesh();
-    Primitives far_mesh = far_shape.mesh();
+    Primitives near_mesh = near_shape.primitives();
+    Primitives far_mesh = far_shape.primitives();
     near_mesh.scalars = far_mesh.scalars = {};
     near_mesh.lit = far_mesh.lit = false;
     near_mesh.color = {0, 1, 0, 0.5F};
@@ -202,9 +202,9 @@ TEST_P(RendererTest, TransparentSurfacesBlendFromTheBackToTheFront) {
 TEST_P(RendererTest, TransparentSurfaceIsHiddenByAnOpaqueOne) {
     const Shape ball = sphere(0.5);
     const Shape behind = square(0.9);
-    Primitives opaque = ball.mesh();
+    Primitives opaque = ball.primitives();
     opaque.color = {0, 0, 1, 1};
-    Primitives transparent = behind.mesh();
+    Primitives transparent = behind.primitives();
     transparent.scalars = {};
     transparent.color = {1, 0, 0, 0.5F};
     frame.primitives = {transparent, opaque};
@@ -225,9 +225,9 @@ TEST_P(RendererTest, PickFindsTheNearestSurfaceEvenATransparentOne) {
     for (const int samples : {1, 4})
         for (const float opacity : {1.0F, 0.4F}) {
             frame.samples = samples;
-            Primitives mesh = ball.mesh();
-            mesh.color[3] = opacity;
-            frame.primitives = {mesh};
+            Primitives primitives = ball.primitives();
+            primitives.color[3] = opacity;
+            frame.primitives = {primitives};
             draw();
             Vec3d found{};
             EXPECT_FALSE(renderer.pick(2, 2, found));
@@ -243,7 +243,7 @@ TEST_P(RendererTest, PickFindsTheNearestSurfaceEvenATransparentOne) {
 
 TEST_P(RendererTest, LostContextIsRebuiltByTheNextDraw) {
     const Shape shape = sphere(1);
-    frame.primitives = {shape.mesh()};
+    frame.primitives = {shape.primitives()};
     draw();
     const Image before = image;
     renderer.simulate_context_loss();
@@ -281,7 +281,7 @@ TEST_P(RendererTest, BadFramesAreRefusedAndTheNextIsDrawn) {
         {"no field of view", [](Frame& f) { f.camera.fov_degrees = 0; }, "camera"},
         {"flat parallel view", [](Frame& f) { f.camera.parallel_height = -1; }, "camera"},
     };
-    frame.primitives = {shape.mesh()};
+    frame.primitives = {shape.primitives()};
     draw();
     const Image good = image;
     for (const Row& row : rows) {
@@ -303,7 +303,7 @@ TEST_P(RendererTest, BadFramesAreRefusedAndTheNextIsDrawn) {
 
 TEST_P(RendererTest, DegenerateCamerasAndBoundsStillGiveAPicture) {
     const Shape shape = sphere(1);
-    frame.primitives = {shape.mesh()};
+    frame.primitives = {shape.primitives()};
     draw();
     const Image usual = image;
     EXPECT_GT(center().brightness(), 100);
@@ -323,7 +323,7 @@ TEST_P(RendererTest, DegenerateCamerasAndBoundsStillGiveAPicture) {
 
 TEST_P(RendererTest, SizesAndSampleCountsMayChangeFromFrameToFrame) {
     const Shape shape = sphere(1);
-    frame.primitives = {shape.mesh()};
+    frame.primitives = {shape.primitives()};
     for (const int samples : {1, 4, 1, 4, 64})
         for (const int width : {320, 64, 333}) {
             frame.samples = samples;
@@ -354,7 +354,7 @@ TEST(Backends, OfThisMachineAreNamedAndTheRestSayWhyNot) {
 TEST(Backends, TwoAliveInOneThreadDoNotDisturbEachOther) {
     const Shape shape = sphere(1);
     Frame frame = front_view();
-    frame.primitives = {shape.mesh()};
+    frame.primitives = {shape.primitives()};
     std::vector<std::unique_ptr<Renderer>> renderers;
     for (const Backend backend : available_backends())
         for (int i = 0; i < 2; ++i) renderers.push_back(std::make_unique<Renderer>(backend));
@@ -384,7 +384,7 @@ TEST(DefaultCamera, ShowsTheWholeBoxWithASmallMargin) {
                                          static_cast<float>((corner & 4U) != 0 ? size[2] : 0)});
             box.indices = {0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
                            2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5};
-            frame.primitives = {box.mesh()};
+            frame.primitives = {box.primitives()};
             Image image;
             renderer.draw(frame, image);
             int left = image.width, right = -1, top = image.height, bottom = -1;

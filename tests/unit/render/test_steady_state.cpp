@@ -14,9 +14,9 @@ namespace server::render {
 using namespace ciel;
 namespace {
 
-std::size_t bytes_of(const Primitives& mesh) {
-    return mesh.positions.size_bytes() + mesh.normals.size_bytes() + mesh.scalars.size_bytes() +
-           mesh.indices.size_bytes();
+std::size_t bytes_of(const Primitives& primitives) {
+    return primitives.positions.size_bytes() + primitives.normals.size_bytes() + primitives.scalars.size_bytes() +
+           primitives.indices.size_bytes();
 }
 
 class SteadyStateTest : public testing::TestWithParam<Backend> {
@@ -36,18 +36,18 @@ protected:
         frame.camera.position = {5 * std::sin(angle), -5 * std::cos(angle), 0.5};
     }
     Primitives& add(const Shape& shape) {
-        frame.primitives.push_back(shape.mesh());
+        frame.primitives.push_back(shape.primitives());
         frame.primitives.back().identity = ++identity;
         frame.primitives.back().revision = ++revision;
         return frame.primitives.back();
     }
     void replace(std::size_t at, const Shape& shape) {
-        Primitives mesh = shape.mesh();
-        mesh.identity = frame.primitives[at].identity;
-        mesh.scale = frame.primitives[at].scale;
-        mesh.color = frame.primitives[at].color;
-        mesh.revision = ++revision;
-        frame.primitives[at] = mesh;
+        Primitives primitives = shape.primitives();
+        primitives.identity = frame.primitives[at].identity;
+        primitives.scale = frame.primitives[at].scale;
+        primitives.color = frame.primitives[at].color;
+        primitives.revision = ++revision;
+        frame.primitives[at] = primitives;
     }
     // Checks that the last frame created no objects and allocated no storage.
     void expect_nothing_made(const GlCounts& counts) {

@@ -16,14 +16,14 @@ struct Lines {
     std::vector<Vec3f> positions;
     std::vector<Index> indices;
 
-    [[nodiscard]] Primitives mesh(float width, Color color) const {
-        Primitives mesh;
-        mesh.positions = positions;
-        mesh.indices = indices;
-        mesh.lines = true;
-        mesh.line_width = width;
-        mesh.color = color;
-        return mesh;
+    [[nodiscard]] Primitives primitives(float width, Color color) const {
+        Primitives primitives;
+        primitives.positions = positions;
+        primitives.indices = indices;
+        primitives.lines = true;
+        primitives.line_width = width;
+        primitives.color = color;
+        return primitives;
     }
     [[nodiscard]] Lines backwards() const {
         Lines other{positions, {indices.rbegin(), indices.rend()}};
@@ -128,7 +128,7 @@ TEST_P(TransparentLines, AreEvenAlongTheirMiddleAndInTheirJoints) {
             for (const Lines& lines : {zigzag(flat), zigzag(leaning), zigzag(bent), wires(flat), wires(leaning),
                                        wires(bent), zigzag(bent).backwards(), wires(bent).backwards()}) {
                 frame.samples = samples;
-                frame.primitives = {lines.mesh(width, {1, 0.5F, 0, 0.4F})};
+                frame.primitives = {lines.primitives(width, {1, 0.5F, 0, 0.4F})};
                 draw();
                 expect_even(lines, width, {0.4, 0.2, 0},
                             std::to_string(samples) + " samples, " + std::to_string(width) + " pixels wide, lines " +
@@ -146,11 +146,11 @@ TEST_P(TransparentLines, AreEvenOnASurface) {
                 const double x = 3 * u - 1.5, z = 2 * v - 1;
                 return Vec3f{static_cast<float>(x), static_cast<float>(leaning(x, z)), static_cast<float>(z)};
             });
-            Primitives surface = sheet.mesh();
+            Primitives surface = sheet.primitives();
             surface.lit = false;
             surface.color = {0, 0, 1, opacity};
             frame.samples = samples;
-            frame.primitives = {surface, lines.mesh(3, {1, 1, 0, 0.5F})};
+            frame.primitives = {surface, lines.primitives(3, {1, 1, 0, 0.5F})};
             draw();
             expect_even(lines, 3, {0.5, 0.5, 0.5 * opacity},
                         std::to_string(samples) + " samples, a sheet of " + std::to_string(opacity));
@@ -192,17 +192,17 @@ std::vector<Tube> steep_tubes() {
 // Lines on a steep sheet are drawn far in front of it, but must stay behind a pane well in front of the sheet.
 TEST_P(TransparentLines, OnSteepSheetsStayBehindAPane) {
     const Shape in_front = square(-1.2);
-    Primitives pane = in_front.mesh();
+    Primitives pane = in_front.primitives();
     pane.scalars = {};
     pane.lit = false;
     pane.color = {0, 0, 1, 0.5F};
     for (const Tube& tube : steep_tubes()) {
         const Shape shape = tube.shape();
         const Lines lines = sides_of(shape);
-        Primitives sheet = shape.mesh();
+        Primitives sheet = shape.primitives();
         sheet.lit = false;
         sheet.color = {0, 1, 0, 0.5F};
-        frame.primitives = {sheet, lines.mesh(3, {1, 0, 0, 1})};
+        frame.primitives = {sheet, lines.primitives(3, {1, 0, 0, 1})};
         draw();
         const Image without = image;
         frame.primitives.push_back(pane);
@@ -231,14 +231,14 @@ TEST_P(TransparentLines, OnOpaqueSurfacesStayBehindSteepSheets) {
         });
     };
     const Shape wall = sheet_at(wall_at), pane = sheet_at([](double, double) { return -3.0; });
-    Primitives opaque = wall.mesh();
+    Primitives opaque = wall.primitives();
     opaque.lit = false;
     opaque.color = {0, 1, 0, 1};
     const auto seen_through = [&](const Shape& shape) {
-        Primitives sheet = shape.mesh();
+        Primitives sheet = shape.primitives();
         sheet.lit = false;
         sheet.color = {0, 0, 1, 0.5F};
-        frame.primitives = {opaque, lines.mesh(3, {1, 0, 0, 1}), sheet};
+        frame.primitives = {opaque, lines.primitives(3, {1, 0, 0, 1}), sheet};
         frame.primitives[1].on_opaque = true;
         draw();
         return image;
@@ -263,7 +263,7 @@ TEST_P(TransparentLines, OfTwoLayersAreMixedInTheirOrder) {
     for (const int samples : {1, 4})
         for (const bool near_first : {true, false}) {
             frame.samples = samples;
-            frame.primitives = {near.mesh(8, {1, 0, 0, 0.6F}), far.mesh(8, {0, 1, 0, 0.6F})};
+            frame.primitives = {near.primitives(8, {1, 0, 0, 0.6F}), far.primitives(8, {0, 1, 0, 0.6F})};
             if (!near_first) std::swap(frame.primitives[0], frame.primitives[1]);
             draw();
             EXPECT_NEAR(at(160, 120)[0], 0.6 * 255, 2);
@@ -276,7 +276,7 @@ TEST_P(TransparentLines, OfOneLayerAreSeenThroughEachOther) {
     const Lines both{{{-1, -0.5F, 0}, {1, -0.5F, 0}, {0, 0.5F, -1}, {0, 0.5F, 1}}, {0, 1, 2, 3}};
     for (const int samples : {1, 4}) {
         frame.samples = samples;
-        frame.primitives = {both.mesh(8, {1, 0, 0, 0.5F})};
+        frame.primitives = {both.primitives(8, {1, 0, 0, 0.5F})};
         draw();
         EXPECT_NEAR(at(160, 120)[0], 0.75 * 255, 2);
         EXPECT_NEAR(at(130, 120)[0], 0.5 * 255, 2);
@@ -287,13 +287,13 @@ TEST_P(TransparentLines, AreMixedWithSheetsAndOpaqueLines) {
     const Lines front{{{-1, -0.5F, 0}, {0, -0.5F, 0}, {1, -0.5F, 0}}, {0, 1, 1, 2}};
     const Lines back{{{-1, 0.5F, 0}, {1, 0.5F, 0}}, {0, 1}};
     const Shape shape = square(0);
-    Primitives sheet = shape.mesh();
+    Primitives sheet = shape.primitives();
     sheet.scalars = {};
     sheet.lit = false;
     sheet.color = {0, 1, 0, 0.5F};
     for (const int samples : {1, 4}) {
         frame.samples = samples;
-        frame.primitives = {back.mesh(12, {0, 0, 1, 1}), sheet, front.mesh(6, {1, 0, 0, 0.5F})};
+        frame.primitives = {back.primitives(12, {0, 0, 1, 1}), sheet, front.primitives(6, {1, 0, 0, 0.5F})};
         draw();
         EXPECT_NEAR(at(160, 120)[0], 0.5 * 255, 2);
         EXPECT_NEAR(at(160, 120)[1], 0.25 * 255, 2);
@@ -315,7 +315,7 @@ TEST_P(TransparentLines, InFrontOfAVolumeAreSeenOnce) {
     frame.camera.position = {1, -9, 1};
     frame.camera.target = {1, 1, 1};
     const Lines line{{{0, -0.5F, 1}, {1, -0.5F, 1}, {2, -0.5F, 1}}, {0, 1, 1, 2}};
-    frame.primitives = {line.mesh(6, {1, 0, 0, 0.5F})};
+    frame.primitives = {line.primitives(6, {1, 0, 0, 0.5F})};
     for (const int samples : {1, 4}) {
         frame.samples = samples;
         draw();
@@ -326,7 +326,7 @@ TEST_P(TransparentLines, InFrontOfAVolumeAreSeenOnce) {
 
 TEST_P(TransparentLines, AreFoundByAPointer) {
     const Lines line{{{-1, 0.25F, 0}, {1, 0.25F, 0}}, {0, 1}};
-    frame.primitives = {line.mesh(6, {1, 0, 0, 0.5F})};
+    frame.primitives = {line.primitives(6, {1, 0, 0, 0.5F})};
     for (const int samples : {1, 4}) {
         frame.samples = samples;
         draw();

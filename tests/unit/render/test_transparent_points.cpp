@@ -36,29 +36,29 @@ protected:
     }
     Primitives& add(Shape shape, const Color& color, double opacity) {
         shapes.push_back(std::move(shape));
-        Primitives mesh = shapes.back().mesh();
-        mesh.scalars = {};
-        mesh.normals = {};
-        mesh.lit = false;
-        for (std::size_t k = 0; k < 3; ++k) mesh.color[k] = static_cast<float>(color[k]);
-        mesh.color[3] = static_cast<float>(opacity);
-        frame.primitives.push_back(mesh);
+        Primitives primitives = shapes.back().primitives();
+        primitives.scalars = {};
+        primitives.normals = {};
+        primitives.lit = false;
+        for (std::size_t k = 0; k < 3; ++k) primitives.color[k] = static_cast<float>(color[k]);
+        primitives.color[3] = static_cast<float>(opacity);
+        frame.primitives.push_back(primitives);
         return frame.primitives.back();
     }
     Primitives& add_points(std::vector<Vec3f> places, const Color& color, double opacity, float size = 11) {
         Shape shape;
         for (Index i = 0; i < places.size(); ++i) shape.indices.push_back(i);
         shape.positions = std::move(places);
-        Primitives& mesh = add(std::move(shape), color, opacity);
-        mesh.points = true;
-        mesh.point_size = size;
-        return mesh;
+        Primitives& primitives = add(std::move(shape), color, opacity);
+        primitives.points = true;
+        primitives.point_size = size;
+        return primitives;
     }
     Primitives& add_line(const Vec3f& from, const Vec3f& to, const Color& color, double opacity, float width = 6) {
-        Primitives& mesh = add({{from, to}, {}, {}, {0, 1}}, color, opacity);
-        mesh.lines = true;
-        mesh.line_width = width;
-        return mesh;
+        Primitives& primitives = add({{from, to}, {}, {}, {0, 1}}, color, opacity);
+        primitives.lines = true;
+        primitives.line_width = width;
+        return primitives;
     }
     void draw() { renderer.draw(frame, image); }
     [[nodiscard]] const std::uint8_t* at(int x, int y) const {

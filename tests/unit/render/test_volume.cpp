@@ -92,17 +92,17 @@ constexpr double opacity = 0.8; // opacity of one unit of length
 
 TEST_P(ConstantVolumes, FollowsBeerAndLambertFromAnywhere) {
     Solid solid = GetParam();
-    const test::Polyhedra mesh = solid.make();
+    const test::Polyhedra primitives = solid.make();
     if (solid.boxes.empty()) { // uses the mesh's bounding box
-        std::array<Vec3d, 2> box{mesh.position(0), mesh.position(0)};
-        for (test::Id v = 0; v < mesh.vertex_count(); ++v)
+        std::array<Vec3d, 2> box{primitives.position(0), primitives.position(0)};
+        for (test::Id v = 0; v < primitives.vertex_count(); ++v)
             for (std::size_t axis = 0; axis < 3; ++axis) {
-                box[0][axis] = std::min(box[0][axis], mesh.position(v)[axis]);
-                box[1][axis] = std::max(box[1][axis], mesh.position(v)[axis]);
+                box[0][axis] = std::min(box[0][axis], primitives.position(v)[axis]);
+                box[1][axis] = std::max(box[1][axis], primitives.position(v)[axis]);
             }
         solid.boxes.push_back(box);
     }
-    VolumeScene scene(mesh, [](const Vec3d&) { return 1.0; });
+    VolumeScene scene(primitives, [](const Vec3d&) { return 1.0; });
     for (const View& view : views)
         for (const std::size_t slices : {50, 333})
             for (const Vec3d& normal : {nearest_axis(view.from), unit_of(view.from)}) {
@@ -266,11 +266,11 @@ TEST(ConstantVolume, EndsOnAnOpaqueSurfaceInside) {
                 Frame frame = frame_of(view, {-1, 0, -1}, {1, 1, 1});
                 frame.camera.target = {0.5, 0.5, 0.5};
                 frame.camera.position = plus(frame.camera.target, unit_of(view.from), view.distance);
-                Primitives mesh = wall.mesh();
-                mesh.scalars = {};
-                mesh.color = {0, 0, 0, 1};
-                mesh.lit = false;
-                frame.primitives.push_back(mesh);
+                Primitives primitives = wall.primitives();
+                primitives.scalars = {};
+                primitives.color = {0, 0, 0, 1};
+                primitives.lit = false;
+                frame.primitives.push_back(primitives);
                 frame.volumes.push_back(scene.volume(normal, slices));
                 frame.volumes[0].scale.range = {0, 1};
                 frame.volumes[0].opacity_points = {{0, opacity}};

@@ -15,8 +15,8 @@ using test::Box;
 constexpr color::Rgb8 white{255, 255, 255}, black{0, 0, 0};
 
 const test::Polyhedra& cube() {
-    static const test::Polyhedra mesh = test::zoo(Box{{4, 4, 4}, 0, 3, 0.25});
-    return mesh;
+    static const test::Polyhedra primitives = test::zoo(Box{{4, 4, 4}, 0, 3, 0.25});
+    return primitives;
 }
 
 struct Fog { // Fog of one color. Opacity per unit length at property 0 and at property 1.
@@ -186,11 +186,11 @@ TEST(VolumesTogether, EndOnSurfacesAndPlanes) {
     Frame frame = frame_of(view, {-1, 0, -1}, {1, 1, 1});
     frame.camera.target = {0.5, 0.5, 0.5};
     frame.camera.position = plus(frame.camera.target, unit_of(view.from), view.distance);
-    Primitives mesh = wall.mesh();
-    mesh.scalars = {};
-    mesh.color = {0, 0, 0, 1};
-    mesh.lit = false;
-    frame.primitives.push_back(mesh);
+    Primitives primitives = wall.primitives();
+    primitives.scalars = {};
+    primitives.color = {0, 0, 0, 1};
+    primitives.lit = false;
+    frame.primitives.push_back(primitives);
     frame.clip = {{0, 1, 0, -0.2F}};
     frame.volumes = {bright.made(one.volume({0, 1, 0}, 90)), dark.made(other.volume({0, 1, 0}, 90))};
     expect_close(compare(

@@ -35,17 +35,17 @@ struct Sheet { // a square sheet of n x n quadrilaterals
                 for (const Index corner : {a, a + 1, a + n + 2, a, a + n + 2, a + n + 1}) indices.push_back(corner);
             }
     }
-    [[nodiscard]] Primitives mesh(std::string layer) const {
-        Primitives mesh;
-        mesh.layer = std::move(layer);
-        mesh.positions = positions;
-        mesh.normals = normals;
-        mesh.scalars = scalars;
-        mesh.indices = indices;
-        mesh.map = "viridis";
-        mesh.range = {-1.5F, 1e-7F};
-        mesh.color = {0.25F, 0.5F, 1, 0.75F};
-        return mesh;
+    [[nodiscard]] Primitives primitives(std::string layer) const {
+        Primitives primitives;
+        primitives.layer = std::move(layer);
+        primitives.positions = positions;
+        primitives.normals = normals;
+        primitives.scalars = scalars;
+        primitives.indices = indices;
+        primitives.map = "viridis";
+        primitives.range = {-1.5F, 1e-7F};
+        primitives.color = {0.25F, 0.5F, 1, 0.75F};
+        return primitives;
     }
 };
 
@@ -73,16 +73,16 @@ std::vector<std::uint8_t> bytes_of(const EncodedGeometry& encoded) {
 
 TEST(GeometryBatch, PutTogetherIsTheMesh) {
     const Sheet sheet(40); // positions are on the quantization grid, so nothing is rounded
-    const std::vector<Primitives> meshes{sheet.mesh("a"), sheet.mesh("quote\" \\ \n\x01 \xc3\xa9")};
+    const std::vector<Primitives> all{sheet.primitives("a"), sheet.primitives("quote\" \\ \n\x01 \xc3\xa9")};
     for (const std::size_t max_vertices : {std::size_t{3}, std::size_t{100}, batch_vertices}) {
-        const auto [payloads, ids] = encode_geometry(meshes, {1e6, -2.5, 0.1}, step, {}, max_vertices);
+        const auto [payloads, ids] = encode_geometry(all, {1e6, -2.5, 0.1}, step, {}, max_vertices);
         std::size_t at = 0;
-        for (const Primitives& mesh : meshes) {
+        for (const Primitives& primitives : all) {
             std::size_t corner = 0;
-            while (corner < mesh.indices.size()) {
+            while (corner < primitives.indices.size()) {
                 ASSERT_LT(at, payloads.size());
                 const DecodedBatch batch = decode(payloads[at]);
-                EXPECT_EQ(batch.description["layer"], mesh.layer);
+                EXPECT_EQ(batch.description["layer"], primitives.layer);
                 EXPECT_EQ(batch.description["kind"], "triangles");
                 EXPECT_EQ(batch.description["batch"], at++);
                 EXPECT_EQ(batch.description["batches"], payloads.size());
@@ -93,21 +93,22 @@ TEST(GeometryBatch, PutTogetherIsTheMesh) {
                 EXPECT_LE(batch.positions.size(), max_vertices);
                 for (std::size_t first = 0; first < batch.indices.size(); first += 3) {
                     std::vector<Vec3f> sent;
-                    for (const Index v : mesh.indices.subspan(corner + first, 3)) sent.push_back(mesh.positions[v]);
+                    for (const Index v : primitives.indices.subspan(corner + first, 3))
+                        sent.push_back(primitives.positions[v]);
                     expect_same_corners(batch, first, sent);
                 }
                 for (std::size_t i = 0; i < batch.positions.size(); ++i) {
                     const auto found = std::find(sheet.positions.begin(), sheet.positions.end(), batch.positions[i]);
                     ASSERT_NE(found, sheet.positions.end());
                     const auto vertex = static_cast<std::size_t>(found - sheet.positions.begin());
-                    EXPECT_EQ(batch.values[i], mesh.scalars[vertex]);
+                    EXPECT_EQ(batch.values[i], primitives.scalars[vertex]);
                 }
                 corner += batch.indices.size();
             }
         }
         EXPECT_EQ(at, payloads.size());
     }
-    EXPECT_EQ(encode_geometry(meshes, {}, step).payloads.size(), 2U) << "what fits in one batch is one";
+    EXPECT_EQ(encode_geometry(all, {}, step).payloads.size(), 2U) << "what fits in one batch is one";
 }
 
 // A wavy sheet with triangles of a few grid steps, similar to an iso-surface.
@@ -123,24 +124,24 @@ struct Wave : Sheet {
             scalars[i] = 0.5F + z / 20;
         }
     }
-    [[nodiscard]] Primitives mesh(std::string layer) const {
-        Primitives mesh = Sheet::mesh(std::move(layer));
-        mesh.range = {0, 1};
-        mesh.value_step = 1.0 / 16384;
-        return mesh;
+    [[nodiscard]] Primitives primitives(std::string layer) const {
+        Primitives primitives = Sheet::primitives(std::move(layer));
+        primitives.range = {0, 1};
+        primitives.value_step = 1.0 / 16384;
+        return primitives;
     }
 };
 
 TEST(GeometryBatch, ATriangleHasAtMostSixBytes) {
     const Wave wave(180);
-    const auto bytes = bytes_of(encode_geometry(std::vector{wave.mesh("a")}, {}, 1.0 / 32)).size();
+    const auto bytes = bytes_of(encode_geometry(std::vector{wave.primitives("a")}, {}, 1.0 / 32)).size();
     const double triangles = static_cast<double>(wave.indices.size()) / 3;
     EXPECT_LE(static_cast<double>(bytes) / triangles, 6);
 }
 
 TEST(GeometryBatch, NothingIsOffByMoreThanHalfAStep) {
     const Wave wave(60);
-    const DecodedBatch batch = decode(encode_geometry(std::vector{wave.mesh("a")}, {}, step).payloads.at(0));
+    const DecodedBatch batch = decode(encode_geometry(std::vector{wave.primitives("a")}, {}, step).payloads.at(0));
     ASSERT_EQ(batch.positions.size(), wave.positions.size());
     std::vector<Index> order; // vertices in order of first use, as in the batch
     for (const Index vertex : wave.indices)
@@ -155,7 +156,7 @@ TEST(GeometryBatch, NothingIsOffByMoreThanHalfAStep) {
 TEST(GeometryBatch, EqualPositionsAreEqualInAllBatches) {
     const Wave wave(60);
     std::map<std::pair<float, float>, float> heights; // height by (x, y)
-    for (const auto& payload : encode_geometry(std::vector{wave.mesh("a")}, {}, step, {}, 300).payloads)
+    for (const auto& payload : encode_geometry(std::vector{wave.primitives("a")}, {}, step, {}, 300).payloads)
         for (const Vec3f& at : decode(payload).positions) {
             const auto [known, is_new] = heights.try_emplace({at[0], at[1]}, at[2]);
             EXPECT_EQ(known->second, at[2]) << "a crack between two batches";
@@ -188,7 +189,7 @@ TEST(GeometryBatch, ValuesOutsideTheRangeAndNoNumbersComeBack) {
     wave.scalars[1] = 25;
     wave.scalars[2] = -3;
     wave.scalars[3] = std::numeric_limits<float>::infinity();
-    const DecodedBatch batch = decode(encode_geometry(std::vector{wave.mesh("a")}, {}, step).payloads.at(0));
+    const DecodedBatch batch = decode(encode_geometry(std::vector{wave.primitives("a")}, {}, step).payloads.at(0));
     const auto value_of = [&](std::size_t vertex) {
         for (std::size_t i = 0; i < batch.positions.size(); ++i)
             if (std::abs(batch.positions[i][0] - wave.positions[vertex][0]) < 0.5F &&
@@ -207,41 +208,41 @@ TEST(GeometryBatch, DoublesAreAsPreciseAsTheRangeIsNarrow) {
     const double far = 101325, reach = 0.01;
     std::vector<double> scalars;
     for (const float value : wave.scalars) scalars.push_back(far + reach * std::sin(double{value}));
-    Primitives mesh = wave.mesh("a");
-    mesh.scalars = scalars;
-    mesh.range = {far - reach, far + reach};
-    mesh.value_step = 2 * reach / 16384;
-    const auto payload = encode_geometry(std::vector{mesh}, {}, step).payloads.at(0);
+    Primitives primitives = wave.primitives("a");
+    primitives.scalars = scalars;
+    primitives.range = {far - reach, far + reach};
+    primitives.value_step = 2 * reach / 16384;
+    const auto payload = encode_geometry(std::vector{primitives}, {}, step).payloads.at(0);
     const DecodedBatch batch = decode(payload);
     EXPECT_EQ(batch.description["range"], (nlohmann::json{far - reach, far + reach})) << "not rounded to floats";
     EXPECT_EQ(batch.description["values"]["origin"], far - reach);
     const auto spread = std::ranges::minmax(batch.values);
     const auto sent = std::ranges::minmax(scalars);
     EXPECT_GT(sent.max - sent.min, reach / 10) << "less than two floats are apart";
-    EXPECT_NEAR(spread.min, sent.min, mesh.value_step / 2);
-    EXPECT_NEAR(spread.max, sent.max, mesh.value_step / 2);
+    EXPECT_NEAR(spread.min, sent.min, primitives.value_step / 2);
+    EXPECT_NEAR(spread.max, sent.max, primitives.value_step / 2);
 }
 
 TEST(GeometryBatch, AValuePerTriangle) {
     const Sheet sheet(30);
     std::vector<float> values(sheet.indices.size() / 3);
     std::iota(values.begin(), values.end(), 0.0F);
-    Primitives mesh = sheet.mesh("a");
-    mesh.scalars = {};
-    mesh.values = values;
-    mesh.range = {0, 2048};
+    Primitives primitives = sheet.primitives("a");
+    primitives.scalars = {};
+    primitives.values = values;
+    primitives.range = {0, 2048};
     for (const double value_step : {0.0, 1.0 / 8}) {
-        mesh.value_step = value_step;
+        primitives.value_step = value_step;
         std::vector<float> got;
-        for (const auto& payload : encode_geometry(std::vector{mesh}, {}, step, {}, 100).payloads) {
+        for (const auto& payload : encode_geometry(std::vector{primitives}, {}, step, {}, 100).payloads) {
             const DecodedBatch batch = decode(payload);
             EXPECT_EQ(batch.description["values"]["of"], "triangles");
             got.insert(got.end(), batch.values.begin(), batch.values.end());
         }
         EXPECT_EQ(got, values) << "in the order of the triangles";
     }
-    mesh.values = mesh.values.subview(0, 1);
-    EXPECT_THROW(static_cast<void>(encode_geometry(std::vector{mesh}, {}, step)), Error);
+    primitives.values = primitives.values.subview(0, 1);
+    EXPECT_THROW(static_cast<void>(encode_geometry(std::vector{primitives}, {}, step)), Error);
 }
 
 TEST(GeometryBatch, WhatTheReceiverHasIsNotSentAgain) {
@@ -255,7 +256,7 @@ TEST(GeometryBatch, WhatTheReceiverHasIsNotSentAgain) {
         }
         return positions;
     };
-    Primitives kept = wave.mesh("kept"), changed = wave.mesh("changed");
+    Primitives kept = wave.primitives("kept"), changed = wave.primitives("changed");
     const auto first = encode_geometry(std::vector{kept, changed}, {}, step);
     const auto before = decode_all(first);
 
@@ -263,7 +264,7 @@ TEST(GeometryBatch, WhatTheReceiverHasIsNotSentAgain) {
     kept.color = {1, 0, 0, 1};
     Wave moved(60);
     for (Vec3f& at : moved.positions) at[0] += 1;
-    const auto second = encode_geometry(std::vector{kept, moved.mesh("changed")}, {}, step, held);
+    const auto second = encode_geometry(std::vector{kept, moved.primitives("changed")}, {}, step, held);
     EXPECT_LT(second.payloads[0].size(), 1000U) << "a description";
     EXPECT_GT(second.payloads[1].size(), 10'000U);
     const auto after = decode_all(second);
@@ -275,9 +276,9 @@ TEST(GeometryBatch, WhatTheReceiverHasIsNotSentAgain) {
 
     Wave hotter(60);
     for (float& value : hotter.scalars) value += 0.25F;
-    const auto third = encode_geometry(std::vector{hotter.mesh("kept")}, {}, step, held);
+    const auto third = encode_geometry(std::vector{hotter.primitives("kept")}, {}, step, held);
     EXPECT_LT(bytes_of(third).size(), bytes_of(first).size() / 4) << "values alone";
-    EXPECT_TRUE(encode_geometry(std::vector{wave.mesh("kept")}, {}, step / 2, held).payloads[0].size() > 10'000U)
+    EXPECT_TRUE(encode_geometry(std::vector{wave.primitives("kept")}, {}, step / 2, held).payloads[0].size() > 10'000U)
         << "another grid is another mesh";
 }
 
@@ -291,20 +292,20 @@ TEST(GeometryBatch, TheGridIsAPowerOfTwoThatFloatsResolve) {
 
 TEST(GeometryBatch, VerticesAreSharedInsideABatch) {
     const Sheet sheet(40);
-    const auto payloads = encode_geometry(std::vector{sheet.mesh("a")}, {}, step).payloads;
+    const auto payloads = encode_geometry(std::vector{sheet.primitives("a")}, {}, step).payloads;
     EXPECT_EQ(decode(payloads.at(0)).positions.size(), sheet.positions.size());
 }
 
 TEST(GeometryBatch, LinesWithoutNormalsOrScalars) {
     const std::vector<Vec3f> positions{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
     const std::vector<Index> indices{0, 1, 1, 2};
-    Primitives mesh;
-    mesh.layer = "outline";
-    mesh.positions = positions;
-    mesh.indices = indices;
-    mesh.lines = true;
-    mesh.lit = false;
-    const DecodedBatch batch = decode(encode_geometry(std::vector{mesh}, {}, step).payloads.at(0));
+    Primitives primitives;
+    primitives.layer = "outline";
+    primitives.positions = positions;
+    primitives.indices = indices;
+    primitives.lines = true;
+    primitives.lit = false;
+    const DecodedBatch batch = decode(encode_geometry(std::vector{primitives}, {}, step).payloads.at(0));
     EXPECT_EQ(batch.description["kind"], "lines");
     EXPECT_EQ(batch.description["lit"], false);
     EXPECT_EQ(batch.positions, positions);
@@ -313,10 +314,10 @@ TEST(GeometryBatch, LinesWithoutNormalsOrScalars) {
 
 TEST(GeometryBatch, NothingIsOneMessageThatSaysSo) {
     const Sheet sheet(2);
-    Primitives empty = sheet.mesh("gone");
+    Primitives empty = sheet.primitives("gone");
     empty.indices = {};
-    for (const auto& meshes : {std::vector<Primitives>{}, std::vector{empty}}) {
-        const auto payloads = encode_geometry(meshes, {}, step).payloads;
+    for (const auto& all : {std::vector<Primitives>{}, std::vector{empty}}) {
+        const auto payloads = encode_geometry(all, {}, step).payloads;
         ASSERT_EQ(payloads.size(), 1U);
         const DecodedBatch batch = decode(payloads[0]);
         EXPECT_EQ(batch.description["batches"], 0);
@@ -336,9 +337,9 @@ TEST(GeometryBatch, ArraysThatDoNotFitAreRefused) {
           Row{"scalars", [](Primitives&m, const std::vector<Index>&) { m.scalars = m.scalars.subview(0, 1); }},
           Row{"corners", [](Primitives&m, const std::vector<Index>&) { m.indices = m.indices.first(4); }},
           Row{"beyond", [](Primitives&m, const std::vector<Index>&b) { m.indices = b; }}}) {
-        Primitives mesh = sheet.mesh("a");
-        row.spoil(mesh, beyond);
-        EXPECT_THAT([&] { static_cast<void>(encode_geometry(std::vector{mesh}, {}, step)); },
+        Primitives primitives = sheet.primitives("a");
+        row.spoil(primitives, beyond);
+        EXPECT_THAT([&] { static_cast<void>(encode_geometry(std::vector{primitives}, {}, step)); },
                     testing::ThrowsMessage<Error>(testing::HasSubstr("layer 'a'")))
             << row.name;
     }
@@ -348,7 +349,7 @@ TEST(GeometryBatch, LinesPointsAndClipPlanesAreDescribed) {
     const Sheet sheet(2);
     const std::vector<std::array<float, 4>> planes{{1, 0, 0, 0.5F}, {0, -0.25F, 1, -2}};
     const std::vector<Index> all{0, 1, 2, 3, 4, 5, 6, 7};
-    Primitives points = sheet.mesh("p");
+    Primitives points = sheet.primitives("p");
     points.normals = {};
     points.indices = all;
     points.points = true;
@@ -358,7 +359,7 @@ TEST(GeometryBatch, LinesPointsAndClipPlanesAreDescribed) {
     lines.points = false;
     lines.lines = true;
     lines.clip = {};
-    const auto payloads = encode_geometry(std::vector{points, lines, sheet.mesh("t")}, {1, 2, 3}, step).payloads;
+    const auto payloads = encode_geometry(std::vector{points, lines, sheet.primitives("t")}, {1, 2, 3}, step).payloads;
     ASSERT_EQ(payloads.size(), 3U);
     const DecodedBatch first = decode(payloads[0]);
     EXPECT_EQ(first.description["kind"], "points");

@@ -25,7 +25,7 @@ export interface GeometryBatch {
   origin: Vec3;
 }
 
-interface SentMesh {
+interface SentShape {
   id: string;
   step: number;
   low: Vec3;
@@ -47,7 +47,7 @@ interface BatchHeader {
   vertices: number;
   indices: number;
   normals: boolean;
-  mesh: SentMesh;
+  mesh: SentShape;
   values?: SentValues;
   map: string;
   range?: Range; // absent without scalars
@@ -61,7 +61,7 @@ interface BatchHeader {
   base: number;
 }
 
-interface Mesh {
+interface BatchShape {
   positions: Float32Array;
   normals: Float32Array | null;
   indices: Uint32Array;
@@ -94,7 +94,7 @@ class Rest {
   }
 }
 
-/** Decoded meshes and values by id. Later batches may contain only the id instead of the arrays. */
+/** Decoded shapes and values by id. Later batches may contain only the id instead of the arrays. */
 class KeptArrays {
   private readonly kept = new Map<string, { frame: number; arrays: unknown }>();
 
@@ -131,7 +131,7 @@ function octahedral(place: Int8Array, at: number, normals: Float32Array, to: num
   normals[to + 2] = z / length;
 }
 
-function decodeMesh({ kind, vertices, indices, normals, mesh }: BatchHeader, rest: Rest): Mesh {
+function decodeShape({ kind, vertices, indices, normals, mesh }: BatchHeader, rest: Rest): BatchShape {
   const [vertexBytes, indexBytes] = mesh.bytes ?? [0, 0];
   const stride = normals ? 16 : 12;
   const records = new Uint8Array(vertices * stride);
@@ -168,10 +168,10 @@ function decodeValues({ vertices, indices }: BatchHeader, sent: SentValues, rest
 
 /** Makes one vertex for each corner, because vertices with one value per triangle, line or point cannot be shared. */
 function apart(
-  { positions, normals, indices }: Mesh,
+  { positions, normals, indices }: BatchShape,
   values: Float32Array,
   corners: number,
-): Mesh & { values: Float32Array } {
+): BatchShape & { values: Float32Array } {
   const perCorner = (of: Float32Array): Float32Array => {
     const out = new Float32Array(3 * indices.length);
     indices.forEach((vertex, i) => out.set(of.subarray(3 * vertex, 3 * vertex + 3), 3 * i));
@@ -213,7 +213,7 @@ export class GeometryDecoder {
   private batchOf(header: BatchHeader, frame: number, rest: Rest): GeometryBatch {
     const { layer, kind, mesh, values, map, range = [0, 1], color, lit, origin } = header;
     const isNew = mesh.bytes !== undefined;
-    const shape = this.kept.use(mesh.id, frame, isNew ? () => decodeMesh(header, rest) : null);
+    const shape = this.kept.use(mesh.id, frame, isNew ? () => decodeShape(header, rest) : null);
     const scalars =
       values === undefined
         ? null

@@ -36,7 +36,7 @@ export interface Picture {
 }
 
 /** Compares references, because the decoder returns the same object for an unchanged array. */
-const isSameMesh = (a: GeometryBatch, b: GeometryBatch): boolean =>
+const isSameShape = (a: GeometryBatch, b: GeometryBatch): boolean =>
   a.positions === b.positions &&
   a.normals === b.normals &&
   a.scalars === b.scalars &&
@@ -62,7 +62,7 @@ export class UploadedBatches {
     this.uploads = batches.map((batch, i) => {
       const place = places[i] ?? 0;
       for (const uploaded of before) {
-        if (!isSameMesh(uploaded.batch, batch)) continue;
+        if (!isSameShape(uploaded.batch, batch)) continue;
         before.delete(uploaded);
         return { ...uploaded, batch, place };
       }
