@@ -1,10 +1,10 @@
 // A View sends the frames of one session to one connection. It decides which scene is drawn next, and when.
 #pragma once
 
+#include "engine/mailbox.hpp"
 #include "engine/open_session.hpp"
 #include "frames/batches.hpp"
 #include "frames/congestion_window.hpp"
-#include "frames/mailbox.hpp"
 #include "frames/picture_detail.hpp"
 #include "frames/preview_size.hpp"
 #include "wire/batches/geometry_batch.hpp"
@@ -100,7 +100,7 @@ private:
         int quality = 0;
         std::unique_ptr<wire::PictureStream> stream; // null before the first interactive picture
     } pictures_;                                     // used only by the worker whose take() returned a request
-    frames::Mailbox<std::shared_ptr<const sessions::SceneVersion>> mailbox_;
+    Mailbox<std::shared_ptr<const sessions::SceneVersion>> mailbox_;
     std::shared_ptr<const sessions::SceneVersion> newest_;       // version of the last offer()
     std::shared_ptr<const sessions::SceneVersion> still_wanted_; // shown version that has no still picture yet
     std::stop_source stop_;                                      // cancels the frame in progress

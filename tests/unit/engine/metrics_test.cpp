@@ -1,5 +1,5 @@
+#include "engine/mailbox.hpp"
 #include "engine/metrics.hpp"
-#include "frames/mailbox.hpp"
 
 #include <ctime>
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::IsSupersetOf;
 
 TEST(mailbox, the_newest_wins) {
-    frames::Mailbox<int> mailbox;
+    Mailbox<int> mailbox;
     EXPECT_TRUE(mailbox.empty());
     EXPECT_FALSE(mailbox.take());
     mailbox.put(1);

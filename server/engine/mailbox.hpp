@@ -1,10 +1,11 @@
-// A slot for one value. A newer value replaces a value that was not taken.
+// The slot of a View for the newest scene. A newer value replaces a value that was not taken, so a scene may be
+// skipped.
 #pragma once
 
 #include <optional>
 #include <utility>
 
-namespace server::frames {
+namespace server::engine {
 
 // A Mailbox is not thread-safe; its owner locks it.
 template <class T>
@@ -19,4 +20,4 @@ private:
     std::optional<T> slot_;
 };
 
-} // namespace server::frames
+} // namespace server::engine
