@@ -85,8 +85,7 @@ private:
         return around({foot.x + away * edge_.outward.x, foot.y + away * edge_.outward.y}, text);
     }
 
-    // Places at most `most` numbers on the axis, and leaves out numbers that would overlap another annotation. Returns
-    // false if two numbers are too close.
+    // Leaves out numbers that would overlap another annotation. Returns false if two numbers are too close.
     bool number(int most) {
         const Scale scale = nice_scale(value(edge_.from), value(edge_.to), most);
         exponent_ = scale.exponent;
@@ -139,8 +138,7 @@ private:
         return layout_.shortened(whole, layout_.text(), layout_.width() - 2);
     }
 
-    // Returns possible places of the axis name, the best place first. The first places are outside the numbers, from
-    // the middle of the edge to its ends. The last places are beyond the ends of the edge.
+    // Best place first: outside the numbers, from the middle of the edge to its ends, then beyond the ends of the edge.
     [[nodiscard]] std::vector<Placed> places_of(const std::string& name) {
         double depth = 0;
         for (const Numbered& one : numbers_)

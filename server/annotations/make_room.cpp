@@ -77,8 +77,7 @@ ViewCamera stepped_aside(const AnnotatedPicture& picture, double to_left, double
     return camera;
 }
 
-// Returns a camera with which the scene is beside or below all annotations, or nullopt. This is for narrow pictures, in
-// which legends extend past the middle.
+// For narrow pictures, in which legends extend past the middle. Puts the scene beside or below all annotations.
 std::optional<ViewCamera> clear_aside(AnnotatedPicture picture, const std::vector<glm::dvec3>& points,
                                       const Layout& layout) {
     constexpr double large_step = 1.1, furthest_aside = 3;

@@ -15,8 +15,7 @@ constexpr double smallest_span = 1e-300; // a smaller range gets only one tick, 
 // before the decimal point, are in this range.
 constexpr int smallest_plain = -3;
 constexpr int largest_plain = 6;
-// Number of digits to which the ends of a scale are rounded. An end may be a float, and 1e-4 as a float is slightly
-// less than 1e-4.
+// Ends of a scale are rounded to 6 digits: an end may be a float, and 1e-4 as a float is slightly less than 1e-4.
 constexpr int digits_of_ends = 6;
 
 int magnitude(double value) { return static_cast<int>(std::floor(std::log10(value))); }

@@ -43,8 +43,7 @@ void check_size(const File& file, const store::PlannedArray& planned) {
                       ", in the order of the imported file");
 }
 
-// Returns text about unexpected arrays for the console. A misspelt name creates a new array, and a forgotten array is
-// not written.
+// Returns console text about unexpected arrays. A misspelt name creates a new array; a forgotten array is not written.
 std::string what_differs(const store::StepPlan& plan) {
     std::string text;
     const auto add = [&](const char* what, const std::vector<std::string>& names) {

@@ -33,8 +33,7 @@ bool is_of_cells(store::LoadedDataset& loaded, const std::string& scalar) {
     return dataset->find(store::parse_scalar(*dataset, scalar).array)->association == store::Association::cell;
 }
 
-// If one of the arrays is a cell array, the polygons of the result share no vertices, so that each polygon has the
-// value of its cell.
+// If one of the arrays is a cell array, the polygons share no vertices, so that each has the value of its cell.
 std::shared_ptr<const geometry::Shape> shape_for(const geometry::Drawable& drawable,
                                                  const std::vector<std::string>& scalars, std::size_t step,
                                                  store::LoadedDataset& loaded) {

@@ -63,8 +63,7 @@ void check(const ImportCommand& import) {
     if (!output.empty() && output.back().empty()) throw UsageError("-o needs a name, NAME.ciel");
 }
 
-// CIEL_IMPORT_ALL requests that all steps are imported at once. It is for servers that cannot read the sources later,
-// such as the server in compose.yaml, which has no importer.
+// CIEL_IMPORT_ALL is for servers that cannot read the sources later: the server in compose.yaml has no importer.
 bool writes_all_steps(const importing::ImportValues& values) {
     const char* const all = std::getenv("CIEL_IMPORT_ALL");
     return all != nullptr && *all != '\0' && !values.at("output").empty() &&

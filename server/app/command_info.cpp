@@ -47,8 +47,7 @@ json mesh_json(const store::MeshInfo& mesh) {
             {"cells", mesh.cells_by_type}};
 }
 
-// Counts the ambiguous faces of a point scalar at the first step that stores values. Returns null for vectors and cell
-// arrays, which have no iso-surfaces, and if no step stores values.
+// Uses the first step that stores values. Returns null if there is none, and for arrays that have no iso-surfaces.
 json ambiguous_faces(const Dataset& dataset, const store::ArrayInfo& array) {
     if (array.components > 1 || array.association != store::Association::point) return nullptr;
     for (std::size_t step = 0; step < dataset.steps().size(); ++step) {

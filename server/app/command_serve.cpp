@@ -43,8 +43,7 @@ struct ServeOptions {
     gateway::GatewayOptions gateway;
 };
 
-// Imports the inputs that are not datasets. A failed import does not stop the others. Throws Error if there are inputs
-// but none can be served.
+// Imports the inputs that are not datasets. A failed import stops no other. Throws Error if all have failed.
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout is only for print_address()
     CancelOnSignal signals;
@@ -58,8 +57,7 @@ std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& opti
     return servable;
 }
 
-// Warns if the folder has no dataset. The server finds new datasets in the folder, but imports other files only if the
-// user names them.
+// The server finds new datasets in the folder, but imports other files only if the user names them.
 void warn_of_files_to_import(const fs::path& folder) {
     if (folder.extension() == ".ciel" || !fs::is_directory(folder)) return;
     fs::path first;
@@ -99,8 +97,7 @@ std::string token_in(const fs::path& file) {
     return token;
 }
 
-// Takes the token from --token-file or CIEL_TOKEN. Unlike --token, these keep the token out of the process list and the
-// history of the shell.
+// Unlike --token, --token-file and CIEL_TOKEN keep the token out of the process list and the history of the shell.
 void complete_token(ServeOptions& options) {
     std::string& token = options.gateway.token;
     if (!options.token_file.empty()) token = token_in(options.token_file);

@@ -100,8 +100,7 @@ void SceneOptions::add_to(CLI::App& command) {
 
 void ExtractionOptions::add_to(CLI::App& command) {
     const CLI::IsMember known({"signatures", "propagation"});
-    // --engine is a deprecated name of --algorithm, which --help does not list. Version 0.4 removes --engine. It is
-    // added first, because options are read in this order and the last one counts.
+    // Version 0.4 removes --engine. It is added first, because options are read in this order and the last one counts.
     command.add_option("--engine", algorithm)->check(known)->envname("CIEL_ENGINE")->group("");
     command.add_option("--algorithm", algorithm, "Algorithm of the surface extraction; also CIEL_ALGORITHM.")
         ->check(known)

@@ -55,8 +55,7 @@ private:
     std::vector<ciel::SliceSink::Out> slices_;
 };
 
-// Returns the distance field whose level sets are the slices. Rows with screen-aligned slices make a new field in each
-// run, because each turn of the camera changes the direction.
+// Returns the field whose level sets are the slices. Screen-aligned slices need a new field after each camera turn.
 ciel::Field distance_along(const Case& data, ciel::Vec3d normal) {
     return field_of(data, store::Values(ciel::plane_distance(data.mesh, data.mesh.surface_origin, normal)));
 }

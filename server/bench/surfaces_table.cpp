@@ -50,8 +50,7 @@ private:
             away));
     }
 
-    // Returns a step that activates or deactivates at most 1 % of the active edges, and that is at least 1e-7 of the
-    // range.
+    // Returns a step of at least 1e-7 of the range that activates or deactivates at most 1 % of the active edges.
     double small_step(double nu) {
         (void)extract(nu, false);
         const auto edges = static_cast<double>(surface_.points.size());

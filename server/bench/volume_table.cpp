@@ -12,8 +12,7 @@ constexpr double turn_degrees = 3;
 
 const char* style(bool shaded) { return shaded ? "shaded" : "unshaded"; }
 
-// The caller must set the camera first, because measuring a row turns the camera by an angle that depends on the number
-// of runs.
+// The caller must set the camera first, because measuring turns it by an angle that depends on the number of runs.
 void add_figures(Table& table, VolumePictures& pictures, const std::string& of, std::size_t stride = 1) {
     (void)pictures.draw(false, stride);
     const double share = pictures.covered_share(), samples = pictures.samples();

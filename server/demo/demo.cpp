@@ -20,8 +20,7 @@ constexpr std::size_t vertices_per_task = 4096;
 enum Patch { inlet, outlet, bottom, top, back, front, cylinder, patches };
 constexpr std::array<const char*, patches> patch_names{"inlet", "outlet", "bottom", "top", "back", "front", "cylinder"};
 
-// Returns the patch of a boundary face. Compares coordinates exactly, because corners on a side of the box have the
-// exact coordinate of the side.
+// Compares coordinates exactly, because corners on a side of the box have the exact coordinate of the side.
 Patch patch_of(const ciel::FaceMesh& mesh, ciel::Index face, const std::array<float, 6>& sides) {
     const auto view = mesh.view();
     for (int side = 0; side < 6; ++side) {

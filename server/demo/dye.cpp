@@ -14,8 +14,7 @@ constexpr std::size_t phases = 40;
 constexpr std::size_t periods = 6; // number of periods to compute, after which the dye is periodic
 // The source has full strength up to the first radius, and zero strength from the second radius on.
 constexpr double source_inside = 1.25, source_outside = 1.9;
-// Diffusion in each pass, in squared spacings. It widens filaments that are too thin for the mesh. A larger number is
-// unstable.
+// In each pass, in squared spacings. Widens filaments that are too thin for the mesh. A larger number is unstable.
 constexpr float diffusion = 0.24F;
 constexpr int diffusions = 4;
 constexpr std::size_t nodes_per_task = 2048;
@@ -109,8 +108,7 @@ float Dye::sample(const std::vector<float>& plane, double x, double y) const {
 }
 
 float Dye::at(double x, double y, double u, double v, double time) const {
-    // Interpolates between two phases, and displaces each phase along the flow. Without the displacement, each filament
-    // would appear twice.
+    // Displaces both phases along the flow before it interpolates. Otherwise each filament would appear twice.
     const double phase = (time - std::floor(time)) * phases;
     const double whole = std::floor(phase), part = phase - whole;
     const auto before = static_cast<std::size_t>(whole) % phases, after = (before + 1) % phases;

@@ -15,8 +15,7 @@
 namespace server::engine {
 namespace {
 
-// Returns the fields of /proc/self/stat (proc_pid_stat(5)) from the third on. The second field is a name in parentheses
-// and may contain blanks.
+// Returns the fields from the third on (proc_pid_stat(5)). The second, a name in parentheses, may contain blanks.
 std::vector<std::string> stat_fields() {
     std::ifstream file("/proc/self/stat");
     std::string line;

@@ -130,8 +130,7 @@ struct Server::State {
         test_picture_known.notify_all();
     }
 
-    // Each worker has its own GL context, so the server is ready only if the pictures of all workers are right. They
-    // draw one after the other, from worker `number` on.
+    // The server is ready only if the pictures of all workers are right, because each worker has its own GL context.
     void draw_test_pictures(unsigned number = 0) {
         const bool draws_frames = number < workers.count();
         FrameWorkers& these = draws_frames ? workers : picture_workers;
@@ -151,8 +150,7 @@ struct Server::State {
     }
     void know_of_end() { know({.problem = "the server is about to stop and draws no further pictures"}); }
 
-    // Called when a late step has been read or cannot be read. Draws the dataset's views again, with the values that
-    // the dataset has now.
+    // Called when a late step was read or cannot be read. Draws the dataset's views again, with its present values.
     void late_step_read(const std::filesystem::path& dataset) noexcept {
         try {
             for (const auto& loaded : catalog.loaded()) {

@@ -161,8 +161,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     }
     gave_up_ = false;
     gave_way_ = 0;
-    // The pause begins now. Otherwise a still picture would follow a slow frame at once and delay the next interactive
-    // frame.
+    // The pause begins now: a still picture right after a slow frame would delay the next interactive frame.
     quiet_until_ = Clock::now() + quiet;
     finish();
     lock.unlock();

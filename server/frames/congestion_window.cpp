@@ -99,8 +99,7 @@ void CongestionWindow::Highest::add(double rate, bool begins) {
 void CongestionWindow::shrink(const Frame& frame, double carried, double late, Time now) {
     if (now < may_shrink_) return; // frames sent before the last shrink are late, too
     may_shrink_ = now + (now - frame.sent);
-    // While the window doubles, the lesser of two rates is used. Few rates are known yet, and frames that arrive
-    // together seem fast.
+    // While the window doubles, few rates are known, and frames that arrive together seem fast: takes the lower rate.
     const double sure = doubles_ && late_frames_ > 1 ? std::min(carried, carried_by_last_) : carried;
     const bool is_full = sure >= full * carried_.value() && (!rate_ || sure >= rate_->value);
     const auto bytes = static_cast<double>(frame.bytes), flight = static_cast<double>(bytes_on_the_way());

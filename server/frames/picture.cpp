@@ -33,8 +33,7 @@ const render::Image& draw(const geometry::Geometry& geometry, const scene::Check
     const int width = std::max(1, static_cast<int>(size.width * scale));
     const int height = std::max(1, static_cast<int>(size.height * scale));
     render::Frame frame = frame_of(geometry, checked, width, height, moving_scale ? 1 : still_samples);
-    // The default camera depends on the picture's size. A smaller interactive picture uses the camera of the still
-    // picture.
+    // The default camera depends on the size. A smaller interactive picture uses the camera of the still picture.
     if (!checked.scene().camera && scale < 1)
         frame.camera =
             geometry::default_view(geometry, checked, static_cast<int>(size.width), static_cast<int>(size.height));

@@ -59,8 +59,7 @@ public:
         const ciel::Vec3d at{p[0] - eye_[0], p[1] - eye_[1], p[2] - eye_[2]};
         return {ciel::dot(right_, at), ciel::dot(up_, at), ciel::dot(forward_, at)};
     }
-    // Returns a number for each of the sides right, left, top, bottom and near: negative if the point is outside of the
-    // side.
+    // Returns a number for each side (right, left, top, bottom, near): negative if the point is outside of the side.
     [[nodiscard]] std::array<double, 5> inside(const ciel::Vec3d& at) const {
         const double half_width = at[2] * tan_across_, half_height = at[2] * tan_;
         return {half_width - at[0], half_width + at[0], half_height - at[1], half_height + at[1], at[2] - nearest_};
@@ -71,8 +70,7 @@ public:
         for (unsigned side = 0; side < distances.size(); ++side) bits |= distances[side] < 0 ? 1U << side : 0U;
         return static_cast<std::uint8_t>(bits);
     }
-    // Returns the least depth of a polygon inside the frustum; infinity if nothing is inside. Overwrites both
-    // arguments.
+    // Returns the least depth of a polygon in the frustum; infinity if nothing is inside. Overwrites both arguments.
     [[nodiscard]] double nearest_of(std::vector<ciel::Vec3d>& corners, std::vector<ciel::Vec3d>& clipped) const {
         for (std::size_t side = 0; side < 5; ++side) {
             ciel::clip_polygon(
@@ -155,8 +153,7 @@ double looked_at(const geometry::Geometry& geometry, const annotations::ViewCame
     return std::min(nearest, largest_offset(geometry));
 }
 
-// Returns the grid step for `wanted`. It is larger than `wanted` if floats are coarser, or if a coordinate in steps
-// would be longer than 30 bits.
+// The step is larger than `wanted` if floats are coarser, or if a coordinate in steps would exceed 30 bits.
 double step_for(double wanted, const geometry::Geometry& geometry, const annotations::ViewCamera& camera) {
     const double finest = std::ldexp(largest_offset(geometry), -29);
     return wire::grid_step(std::max(wanted, finest), looked_at(geometry, camera));

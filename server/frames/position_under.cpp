@@ -29,8 +29,7 @@ std::optional<ciel::Vec3d> position_under(const geometry::Geometry& geometry, co
     const ciel::Vec3d sight = (camera.parallel ? camera.target : hit) - camera.position;
     const double whole = ciel::length(geometry.bounds_max - geometry.bounds_min);
     const double seen = std::min(whole, camera.parallel ? camera.parallel_height : ciel::length(sight));
-    // Tries small steps first, because cells of a boundary layer are thin. Then tries steps as large as the error of
-    // the depth buffer.
+    // Tries small steps first, for thin cells of boundary layers, then steps as large as the depth buffer's error.
     for (const double reach : {seen, whole})
         for (const double share : {1e-5, -1e-5, 1e-4, -1e-4, 1e-3, -1e-3}) {
             const ciel::Vec3d moved = hit + share * reach / ciel::length(sight) * sight;

@@ -16,7 +16,6 @@ bool listed(const std::vector<std::string>& names, std::string_view name) {
     return std::any_of(names.begin(), names.end(), [&](const auto& other) { return same_ignoring_case(other, name); });
 }
 
-// Removes the port from HOST:PORT. Returns any other text unchanged.
 std::string_view without_port(std::string_view host) {
     const auto end_of_address = host.starts_with('[') ? host.find(']') : 0; // skips the colons of [IPv6]
     const auto colon = host.find(':', end_of_address);

@@ -107,8 +107,7 @@ private:
         }
     }
 
-    // Runs no destructors, because running calls still refer to the service. An interrupted append.commit changes no
-    // dataset.
+    // Runs no destructors: running calls still use the service. An interrupted append.commit changes no dataset.
     [[noreturn]] static void abandon() {
         spdlog::warn("the server stopped before all requests were answered");
         spdlog::shutdown();

@@ -203,8 +203,7 @@ private:
                             {"note", "further refusals for this address are not logged for a minute"}});
     }
 
-    // Delays the answer to a wrong token, so that guessing is slow. If Limits::wrong_tokens_waiting answers are already
-    // delayed, answers 429 at once.
+    // Delays the answer to a wrong token, so that guessing is slow. If too many answers wait, answers 429 at once.
     asio::awaitable<void> slow_down(const Request& request, Resolved& resolved) {
         if (state_.log_limiter.allows("token " + logged_address(request.address)))
             logging::log_event(logging::LogLevel::warning, "a wrong token was refused",
@@ -325,8 +324,7 @@ private:
         co_return !error;
     }
 
-    // Reads until the peer closes. If the server closed while the peer still sends, TCP would reset the connection, and
-    // the answer would be lost.
+    // Reads until the peer closes: closing while the peer still sends would reset the connection and lose the answer.
     asio::awaitable<void> linger() {
         error_code error;
         stream_.socket().shutdown(asio::ip::tcp::socket::shutdown_send, error);

@@ -24,8 +24,7 @@ std::size_t count_files() {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator("/proc/self/fd", none), {}));
 }
 
-// Estimates the number of open descriptors. A new socket gets the lowest free number, so all lower numbers are in use.
-// Other connections may have higher numbers, so the connections are counted, too.
+// A new socket gets the lowest free descriptor, so all lower ones are in use. Other connections may have higher ones.
 bool is_short_of_files(tcp::socket& socket, std::size_t files_at_start, GatewayState& state) {
     const auto below = static_cast<std::size_t>(socket.native_handle());
     const std::size_t used = std::max(below, files_at_start + state.connections.count()) + 1;

@@ -83,8 +83,7 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// Returns whether the name contains a hash of the content. The build of the web client names such files
-// assets/NAME-HASH.EXT, with a hash of 8 characters.
+// The build of the web client names files with a content hash assets/NAME-HASH.EXT. HASH has 8 characters.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;

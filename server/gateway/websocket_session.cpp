@@ -220,8 +220,7 @@ std::string WebSocketSession::take_binary(std::string_view bytes, const Answer& 
     return problem.value_or(std::string());
 }
 
-// Returns the callback for one answer. Slow methods call it later from other threads, possibly after the socket has
-// closed. Meanwhile, later texts are handled.
+// Slow methods call the callback from other threads, possibly after later texts were handled or the socket closed.
 Answer WebSocketSession::answer() {
     return [weak = weak_from_this(), send_queue = send_queue_, executor = socket_.get_executor()](std::string text) {
         if (!text.empty()) send_queue->push_text(std::move(text));

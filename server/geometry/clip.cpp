@@ -13,13 +13,11 @@ using ciel::operator-;
 
 namespace {
 
-// clip_slack as a fraction of the diagonal: about 50 times the rounding error of positions, and about 1/50 of a pixel
-// in a large picture.
+// Fraction of the diagonal: about 50 times the rounding error of positions, and 1/50 of a pixel in a large picture.
 constexpr double slack_of_diagonal = 5e-6;
 constexpr double double_slack = 1e-12; // slack of positions that are doubles, as a fraction of the largest coordinate
 
-// Limit of plane offsets: a float larger than the coordinates of any mesh. With an infinite offset, a graphics card
-// would drop everything.
+// A float larger than the coordinates of any mesh. With an infinite offset, a graphics card would drop everything.
 constexpr double farthest = 1e30;
 
 double diagonal(const Geometry& geometry) { return ciel::length(geometry.bounds_max - geometry.bounds_min); }
@@ -30,8 +28,7 @@ void for_planes(const scene::CheckedScene& checked, F&& f) {
         if (const auto* clip = std::get_if<scene::ClipLayer>(&layer.kind); clip != nullptr && layer.visible) f(*clip);
 }
 
-// Returns whether nothing thicker than clip_slack remains. Such a piece has no volume, but the caps on both of its
-// sides would be drawn.
+// A piece that is not thicker than clip_slack has no volume, but the caps on both of its sides would be drawn.
 bool leave_a_sheet_at_most(const std::vector<ciel::HalfSpace>& planes, const Geometry& geometry) {
     if (planes.empty()) return false;
     const double slack = clip_slack(geometry);
@@ -84,8 +81,7 @@ ciel::ClippedSurface clipped(const Geometry& geometry, const Drawable& drawable,
     double slack = clip_slack(geometry);
     if (!places.empty()) {
         for (ciel::HalfSpace& plane : planes) plane.offset -= ciel::dot(plane.normal, geometry.origin);
-        // The smaller slack is for doubles only. With float positions, the points of caps are off their planes by the
-        // rounding of floats.
+        // With float positions, the points of caps are off their planes by the rounding of floats.
         if (geometry.double_positions) slack = double_slack * (diagonal(geometry) + ciel::length(geometry.origin));
     }
     return ciel::clip_surface(drawable.shape->surface, drawable.scalars.value_or(store::Values()), planes, slack,

@@ -22,8 +22,7 @@ struct Candidate {
     std::size_t step = 0;
 };
 
-// Returns the point arrays that vary, each with the first step at which it varies. Scalars come first. For a vector or
-// tensor, the candidate is its magnitude.
+// Returns point scalars that vary, then magnitudes of vectors and tensors, each with the first step at which it varies.
 std::vector<Candidate> candidates(const store::Dataset& dataset) {
     std::vector<Candidate> found;
     for (const store::ArrayInfo& array : dataset.info().arrays) {
@@ -59,8 +58,7 @@ double crossed_share(const store::Dataset& dataset, const Candidate& of) {
     return static_cast<double>(crossed) / static_cast<double>(blocks);
 }
 
-// Moves a scalar with a clear iso-surface to the front, if the surface of the first scalar fills the mesh, as a surface
-// of noise does.
+// Changes nothing unless the surface of the first scalar fills the mesh, as a surface of noise does.
 void put_clear_surface_first(const store::Dataset& dataset, std::vector<Candidate>& scalars) {
     constexpr double many = 1.0 / 3;
     if (scalars.empty()) return;
@@ -77,8 +75,7 @@ bool is_written(const store::Dataset& dataset, const store::Step& step, const st
     return step.arrays.contains(store::parse_scalar(dataset, scalar).array);
 }
 
-// Reads about 100,000 values in runs that are spread over the array, so that few stretches (64 KiB) of the file are
-// read.
+// Reads about 100,000 values in runs spread over the array, so that few stretches (64 KiB) of the file are read.
 std::vector<double> sample_of(const store::StoredScalar& values) {
     constexpr std::size_t runs = 256, run = 400;
     const std::size_t stride = std::max(values.size() / runs, run);
@@ -130,8 +127,7 @@ BoundingBox domain_of(const store::Dataset& dataset, const store::Step& step) {
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
 
-// Returns whether all values of a point array are finite at the step. Also checks the cell array from which it was
-// made, because a cell without a finite value may have corners with finite values.
+// Also checks the cell array from which a point array was made: a cell that is not finite may have finite corners.
 bool is_finite(const store::Step& step, const std::string& array) {
     const auto written = step.arrays.find(array);
     if (written == step.arrays.end() || written->second.invalid > 0) return false;
@@ -140,8 +136,7 @@ bool is_finite(const store::Step& step, const std::string& array) {
     return !written->second.late && std::isfinite(written->second.range[0]) && std::isfinite(written->second.range[1]);
 }
 
-// Returns the last step with the most arrays that are finite, so that a simulation that diverged is shown before it
-// diverged. REQUIRES: at least one step.
+// Returns the last step with the most finite arrays (before a divergence). REQUIRES: at least one step.
 std::size_t last_whole_step(const store::Dataset& dataset) {
     std::size_t last = 0;
     std::ptrdiff_t most = -1;
@@ -176,8 +171,7 @@ const store::ArrayInfo* preferred(const store::Dataset& dataset, const store::St
     return first;
 }
 
-// Returns the axis perpendicular to the slice. Prefers an axis along which the bodies span the whole domain, as
-// cylinders and wings between walls do.
+// Returns the slice's normal. Prefers an axis along which the bodies span the domain, as wings between walls do.
 std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) {
     constexpr double whole = 0.98, as_thin = 1.01;
     const auto length = [](const BoundingBox& box, std::size_t axis) { return box.high[axis] - box.low[axis]; };
@@ -189,8 +183,7 @@ std::size_t axis_of_slice(const BoundingBox& bodies, const BoundingBox& domain) 
     return axis;
 }
 
-// Returns the axis along which the mesh has only one layer of cells. If a patch has the type empty or wedge, this is
-// the mesh's thinnest axis. Otherwise returns nothing.
+// If a patch has the type empty or wedge, the mesh has only one layer of cells along its thinnest axis.
 std::optional<std::size_t> thin_axis(std::span<const MeasuredPatch> patches, const BoundingBox& domain) {
     if (std::ranges::none_of(patches,
                              [](const MeasuredPatch& patch) { return patch.type == "empty" || patch.type == "wedge"; }))

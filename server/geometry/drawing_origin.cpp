@@ -11,8 +11,7 @@ using ciel::operator-;
 
 namespace {
 
-// Largest distance from the origin, in units of the height of the view. 2^-24 of this distance is 1/30 of a pixel of a
-// picture with 2160 rows.
+// Largest distance from the origin, in view heights. 2^-24 of it is 1/30 of a pixel of a picture with 2160 rows.
 constexpr double reach = 256;
 
 double view_height(const annotations::ViewCamera& camera) {

@@ -25,8 +25,7 @@ bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
     return false;
 }
 
-// Returns false if one plane removes the whole volume. Tests each plane alone, because several planes that together
-// remove all vertices may leave a part in the middle of a cell.
+// Tests each plane alone: several planes that remove all vertices together may leave a part in the middle of a cell.
 bool is_seen(const color::SlabMesh& boundary, const Geometry& geometry) {
     const auto& vertices = boundary.vertices;
     return !vertices.empty() &&

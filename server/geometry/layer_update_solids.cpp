@@ -14,8 +14,7 @@ std::shared_ptr<const Shape> cap_shape(const std::shared_ptr<const Shape>& cut,
     return triangles_shape(ciel::polygons_of_cells(cut->surface, cells));
 }
 
-// Returns the coloring of caps. Arrays on patches have values only on the boundary, so a cap gets the color of the
-// inner array of the same name.
+// Arrays on patches have values only on the boundary, so a cap gets the color of the inner array of the same name.
 scene::Coloring inner_color(const store::Dataset& dataset, scene::Coloring color) {
     constexpr std::string_view patch = "patch:";
     if (color.array.empty()) return color;

@@ -10,8 +10,7 @@
 namespace server::geometry {
 namespace {
 
-// Returns the rounding error of the distances. If they are doubles, the error comes from the coordinates from which the
-// distances were computed.
+// The error of doubles comes from the coordinates from which the distances were computed.
 double rounding(const store::ScalarField& distances) {
     const auto [low, high] = distances.field->range();
     if (!distances.has_double_positions()) return 1e-6 * (high - low);

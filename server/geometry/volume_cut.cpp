@@ -159,8 +159,7 @@ ciel::Vec3d slab_normal(scene::VolumeLayer::Direction direction, const annotatio
     using Direction = scene::VolumeLayer::Direction;
     ciel::Vec3d view{};
     for (std::size_t axis = 0; axis < 3; ++axis) view[axis] = camera.target[axis] - camera.position[axis];
-    // While the camera moves, slices perpendicular to the viewing direction would have to be cut again for each
-    // picture.
+    // While the camera moves, slices perpendicular to the view would have to be cut again for each picture.
     if (direction == Direction::screen && !moving) return unit_vector(view);
     std::size_t axis = 0;
     for (std::size_t other = 1; other < 3; ++other)

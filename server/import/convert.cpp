@@ -29,8 +29,7 @@ public:
           folder_(std::filesystem::absolute(options.output).parent_path()),
           arrays_(selection_, source, FieldComponents(std::move(components)), folder_) {}
 
-    // Returns nullopt and writes no dataset if most steps have other components of an array than the chosen components
-    // (FieldComponents).
+    // Returns nullopt and writes no dataset if most steps have other components of an array than FieldComponents chose.
     std::optional<ConvertResult> run() {
         const std::vector<double>& times = source_.times();
         check_listing();
@@ -82,15 +81,13 @@ private:
         selection_.check();
     }
 
-    // Finds an unknown --array if the input has only one step. If there are more steps, a later step could have the
-    // array.
+    // Finds an unknown --array, but not if there are several steps, because a later step could have the array.
     void check_only_step(const InputGrids& input_grids) {
         if (source_.times().size() > 1) return;
         for (const FieldName& field : field_names(input_grids)) selection_.saw(field);
         selection_.check();
     }
 
-    // Returns whether a step at this time is added.
     bool is_new_time(double time) {
         if (!std::isfinite(time))
             throw ciel::Error("the time of step " + std::to_string(step_) +
@@ -122,8 +119,7 @@ private:
         arrays_.make(step_, mesh_, input_grids, topology, point_maker_, know);
     }
 
-    // Returns whether some of the steps between the first and the last one list an array that both of them lack. Such
-    // an array would not be in the dataset.
+    // Returns whether some steps between the first and the last one list an array that would not be in the dataset.
     bool has_more_arrays_between() {
         constexpr std::size_t most_listed = 16;
         const std::size_t last = source_.times().size() - 1;
@@ -150,9 +146,8 @@ private:
         return print.cells == print_.cells && print.positions == print_.positions;
     }
 
-    // Reads the middle and the last step. If both have the mesh of the first step, adds the steps between the first and
-    // the last step as late steps, then adds the last step, and returns true. Otherwise returns false, and the caller
-    // reads all steps after the first.
+    // Reads the middle and the last step. If both have the mesh of the first step, adds the steps in between as late
+    // steps, adds the last step, and returns true. Otherwise returns false: the caller reads all steps after the first.
     bool leave_steps_late() {
         const std::vector<double>& times = source_.times();
         if (options_.all || times.size() < 3 || !writer_ || !(selection_.complete() || options_.arrays.empty()) ||

@@ -101,7 +101,6 @@ int fail(const std::string& sentence, ExitCode code = failed) {
     return code;
 }
 
-// Writes a dataset of an earlier version of CIEL again, in the current format.
 int run_rewrite(const Options& options) {
     using namespace server::importer;
     const std::string& input = options.inputs.front();

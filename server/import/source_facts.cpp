@@ -37,8 +37,7 @@ bool add_files(const fs::path& path, std::vector<std::string>& files) {
     return !error;
 }
 
-// Returns a checksum of the names, sizes and times of the step's files; an empty text if these files are not known, or
-// if one of them is missing.
+// Returns a checksum of names, sizes and times; an empty text if the files are not known or one of them is missing.
 std::string state_of_files(const Source& source, std::size_t step, const std::set<std::string>& names) {
     std::vector<std::string> files;
     try {

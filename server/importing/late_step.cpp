@@ -18,8 +18,7 @@ constexpr std::chrono::milliseconds pause_when_read{200};
 std::string read_late_step(const store::Dataset& dataset, std::size_t step, const std::filesystem::path& folder,
                            const std::atomic<bool>& cancel) {
     try {
-        // Another process has written the arrays. Waits, so that this process notices the new arrays before its views
-        // are told about them.
+        // Another process has written the arrays. Waits, so that this process notices them before its views are told.
         if (dataset.late_chunks(step).empty()) {
             std::this_thread::sleep_for(pause_when_read);
             return {};

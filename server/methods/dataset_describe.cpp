@@ -17,8 +17,7 @@ protocol::MeshInfo mesh_of(const store::MeshInfo& mesh) {
     return info;
 }
 
-// The range and the numbers of invalid and missing values cover all steps at which the array was written, except late
-// steps, which have not been read from the source yet.
+// The range and the counts cover all written steps except late steps, which have not been read from the source yet.
 protocol::ArrayInfo array_of(const store::Dataset& dataset, const store::ArrayInfo& array) {
     protocol::ArrayInfo info;
     info.name = array.name;

@@ -7,8 +7,7 @@
 namespace server::methods {
 
 namespace {
-// Memory of a result, in sizes of the PNG file: the file and three base64 copies (result, JSON, text), each 4/3 as
-// large.
+// Memory in sizes of the PNG file: the file and three base64 copies (result, JSON, text), each 4/3 as large.
 constexpr std::size_t copies_of_a_picture = 5;
 } // namespace
 

@@ -65,8 +65,7 @@ bool has_polygons(const scene::Layer& layer) {
            std::holds_alternative<scene::SurfaceLayer>(layer.kind);
 }
 
-// Memory of a result, in sizes of the file: the stream, the file and three base64 copies (result, JSON, text), each 4/3
-// as large.
+// Memory in sizes of the file: the stream, the file and three base64 copies (result, JSON, text), each 4/3 as large.
 constexpr std::size_t copies_of_a_file = 6;
 
 struct File {

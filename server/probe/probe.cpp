@@ -17,8 +17,7 @@ bool is_late(const store::Dataset& dataset, std::size_t step, const std::string&
     return found != arrays.end() && found->second.late;
 }
 
-// Returns whether the solver's result in the cell is NaN or infinite. Looks at the cell array, because the values at
-// the cell's corners may come from neighbor cells.
+// Looks for NaN and infinity in the cell array, because the values at corners may come from neighbor cells.
 bool went_wrong(const store::Dataset& dataset, std::size_t step, const store::ArrayInfo& array, ciel::Index cell) {
     const std::string of_cells = store::cell_scalar(dataset, store::scalar_names(array).front());
     if (of_cells.empty()) return false;

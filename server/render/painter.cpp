@@ -17,8 +17,7 @@ std::string text_of(const Gl& gl, GLenum name) {
 
 constexpr int limits_unit = 2, occlusion_unit = 2; // texture units; ColorScales uses units 0 and 1
 
-// Returns whether the plain program can draw the primitives. It is faster than the full program, because a software
-// rasterizer also spends time on unused features.
+// The plain program is faster than the full program, because a software rasterizer also spends time on unused features.
 bool is_plain(const Primitives& primitives, const Frame& frame) {
     return !primitives.lines && !primitives.points && primitives.scalars.empty() && !primitives.normals.empty() &&
            frame.clip.empty();

@@ -5,8 +5,7 @@
 namespace server::render {
 namespace {
 
-// Returns the value of the uniform `line_reach` (point_shaders.cpp). `factor`: framebuffer pixels per picture pixel
-// along a side.
+// Returns the uniform of point_shaders.cpp. `factor`: framebuffer pixels per picture pixel along a side.
 float line_reach(const Frame& frame, float factor) {
     const float width = widest_line(frame);
     return width > 0 ? (factor * width + 1) / 2 : 0;
@@ -47,8 +46,7 @@ void Painter::draw_opaque_points_with(const Frame& frame) {
             buffers(i).draw(primitives, scale_rows_[i]);
 }
 
-// Rays of volumes do not end on lines, because the soft edges of lines would have a border without volume. Therefore
-// the lines in front of the volumes are drawn again.
+// Rays do not end on lines, whose soft edges would get a border without volume. So lines in front are drawn again.
 void Painter::draw_volumes(const Frame& frame) {
     enable_clip_planes(false); // programs of volumes clip rays themselves and write no gl_ClipDistance
     volumes_.draw(frame, transform_, target_);
@@ -134,8 +132,7 @@ void Painter::peel_transparent(const Frame& frame) {
     enable_clip_planes(true);
 }
 
-// Uses the program for a peeled layer. Returns the factor for line widths and point sizes: layer pixels per picture
-// pixel along a side.
+// Returns the factor for line widths and point sizes: layer pixels per picture pixel along a side.
 float Painter::use_in_layers(const Frame& frame, const Program& program, bool joining) {
     const auto factor = static_cast<float>(peeling_.layer_pixels());
     use(program, frame);

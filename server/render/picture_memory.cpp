@@ -16,9 +16,8 @@ constexpr std::uint64_t lines = 16;     // depth peeling: records of transparent
 constexpr std::uint64_t occlusion = 48; // depth, normals, raw and averaged light (ambient_occlusion.hpp)
 constexpr std::uint64_t volumes = 72;   // pictures of 4 floats, ray parts, reach, coverage (volume_painter.hpp)
 
-// llvmpipe keeps the programs. It also keeps the triangles of recent pictures until it needs their memory. On a busy
-// machine it keeps the triangles of three pictures, because it begins a picture before its threads have drawn the
-// previous picture.
+// llvmpipe keeps the programs, and the triangles of recent pictures until it needs their memory. On a busy machine
+// these are three pictures, because it begins a picture before its threads have drawn the previous one.
 constexpr std::uint64_t programs = 24 << 20, most_triangles = 96 << 20, copies_of_triangles = 3;
 
 std::uint64_t bytes_of(const Primitives& primitives) {

@@ -13,16 +13,14 @@
 namespace server::render {
 namespace {
 
-// If the last picture had more pixels than this and the next picture has less than half as many, the context is
-// destroyed first, to free its memory. Still pictures of a large screen have fewer pixels, so they do not wait for a
-// new context.
+// After a picture of more pixels, a picture of less than half as many gets a new context, which frees memory. Still
+// pictures of a large screen have fewer pixels, so they do not wait for a new context.
 constexpr std::int64_t most_kept_pixels = 12 << 20;
 
 // Bytes that must stay free during a draw, for the rest of the process and for shaders that are compiled.
 constexpr std::uint64_t reserve = std::uint64_t{96} << 20;
 
-// Bytes of address space that a new llvmpipe context reserves, mostly for its threads. Only a small part becomes
-// memory.
+// Address space in bytes of a new llvmpipe context, mostly for its threads. Only a small part becomes memory.
 std::uint64_t addresses_of_a_context() {
     // MB, per context and per thread; 463 MB were measured with 2 threads.
     constexpr std::uint64_t whole = 240, of_thread = 136;

@@ -10,8 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-// Finds members that are named twice. This is not a callback of json::parse, because json::parse with a callback
-// searches the enclosing list at the end of each object, which takes time n^2 for n objects.
+// Finds duplicate names. With a callback, json::parse would search the enclosing list at each object's end: time n^2.
 class NameReader final : public json::json_sax_t {
 public:
     bool null() override { return true; }

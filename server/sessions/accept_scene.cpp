@@ -30,8 +30,7 @@ void check_limits(const scene::Scene& scene, const limits::Limits& limits) {
 
 std::shared_ptr<const SceneVersion> accept_scene(const SessionServices& services, nlohmann::json document,
                                                  std::uint64_t revision, std::string request) {
-    // Removes nulls. Null and absent mean the same in a scene, and a merge patch (RFC 7396) cannot set a member to
-    // null.
+    // Removes nulls, which mean the same as absent members; a merge patch (RFC 7396) cannot set a member to null.
     document = scene::merge_patch(nlohmann::json::object(), document);
     check_size(document, services.limits);
     scene::Scene scene = scene::parse(document);

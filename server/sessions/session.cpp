@@ -20,8 +20,7 @@ std::string scene_changed(const std::string& session, const SceneVersion& versio
     return notification_text(note);
 }
 
-// Applies the patches one after the other, and passes each document to `take`. Stops when `take` returns false, or when
-// the text of a document has more than `most_bytes` bytes.
+// Passes the document after each patch to `take`, until `take` returns false or the text exceeds `most_bytes` bytes.
 template <class Take>
 void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches, std::size_t most_bytes, Take take) {
     for (const nlohmann::json& patch : patches) {
@@ -31,8 +30,7 @@ void follow(nlohmann::json document, const std::vector<nlohmann::json>& patches,
     }
 }
 
-// Sends a text to the connections `to`, but not to `except` (0: no exception). Calls make_text() only if one of the
-// connections is open.
+// Sends a text to the connections `to` without `except` (0: none). Calls make_text() only if one of them is open.
 void send(const OpenConnections& connections, const std::set<std::uint64_t>& to, std::uint64_t except,
           const std::function<std::string()>& make_text) {
     std::string text;

@@ -69,8 +69,7 @@ struct Known {
     Stamp examined{};    // stamp of the commit marker when `problem` was determined
     std::shared_ptr<LoadedDataset> loaded;
     // Set after a loaded dataset was replaced or damaged. told: on_change was called. refused: open() has failed since.
-    // came_back: poll() must call on_change again, because open() succeeded after a failure, or because on_change
-    // threw.
+    // came_back: poll() must call on_change again, because open() succeeded after a failure or on_change threw.
     enum class Lost { no, told, refused, came_back } lost = Lost::no;
     Stamp loaded_stamp{};
     FileStamp late_stamp{}; // like loaded_stamp, for late arrays outside the dataset; set by poll()

@@ -91,8 +91,7 @@ public:
         try {
             return at(mesh)->all_faces(view);
         } catch (const ciel::Error&) {
-            // The message of the kernel names no file. If a file has changed, check_unchanged throws an error that
-            // names the file.
+            // The kernel's error names no file. If a file has changed, check_unchanged throws an error that names it.
             check_unchanged();
             throw;
         }
@@ -285,8 +284,7 @@ private:
         return meshes_[mesh];
     }
 
-    // A refresh reads the attributes from the disk again, because a writer may have added coordinate sets. `before`:
-    // the dataset before the refresh; null: no refresh.
+    // A refresh (`before` is not null) reads the attributes again, because a writer may have added coordinate sets.
     std::vector<std::string> coordinate_checksums(std::size_t mesh, const MappedDataset* before) const {
         if (before == nullptr || mesh >= before->meshes_.size())
             return meshes_[mesh]->attributes().coordinate_checksums;

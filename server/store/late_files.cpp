@@ -21,8 +21,7 @@ bool is_there(const fs::path& file) {
     return fs::exists(file, error);
 }
 
-// Returns whether the dataset was removed or replaced. `late`: the directory of its late files, whose name is the
-// dataset's id.
+// Returns whether the dataset was removed or replaced. `late`: directory of its late files, named by the dataset's id.
 bool is_forgotten(const fs::path& late) {
     const fs::path name = late / dataset_file;
     if (!is_there(name)) return false; // written by an earlier version; kept, because the dataset is not known
@@ -47,8 +46,7 @@ ArrayLayout LateFiles::layout_of(const ArrayLayout& array, std::uint64_t chunk) 
     return found;
 }
 
-// Returns `entry` with the facts of the late file if the array has been written, else `entry` itself. Returns nullopt
-// if the source has no such array at this step.
+// Returns nullopt if the source has no such array at this step, and `entry` itself if it has not been written yet.
 std::optional<MarkedArray> LateFiles::complete(const ArrayLayout& array, MarkedArray entry) const {
     std::vector<fs::path> directories{array.directory};
     if (!elsewhere_.empty()) directories.push_back(elsewhere(array.directory));

@@ -18,8 +18,7 @@ struct KeptField {
     ciel::Field field;
 };
 
-// Estimates the size of a field: gradients, and values in block order. Block order repeats a vertex that several blocks
-// share; the estimate is two values for each vertex.
+// Counts gradients, and two values per vertex: an estimate, because block order repeats shared vertices.
 std::size_t field_bytes(std::uint64_t vertices, std::size_t value_bytes) {
     return vertices * (2 * value_bytes + sizeof(ciel::Vec3f));
 }
@@ -36,8 +35,7 @@ const char* name_of(Association association) {
     return "the faces of patches";
 }
 
-// Returns the cell array that belongs to a point array or patch array; null if there is none. Its values show which
-// cells have NaN or infinite results.
+// Returns the cell array of a point or patch array, or null. It shows which cells have NaN or infinite results.
 const ArrayInfo* cells_of(const Dataset& dataset, const ArrayInfo& array) {
     constexpr std::string_view patch = "patch:";
     const bool of_patches = array.association == Association::boundary_face && array.name.starts_with(patch);
@@ -88,8 +86,7 @@ std::string times_written(const Dataset& dataset, const std::string& array) {
 } // namespace
 
 struct LoadedDataset::State {
-    // One plane is enough: a slice that the user turns needs another plane for each picture, and layers hold the planes
-    // that they show.
+    // One plane is enough: a slice that the user turns needs another one for each picture, and layers hold theirs.
     static constexpr std::size_t most_planes = 1;
 
     State(std::shared_ptr<Dataset> first, std::size_t budget, AskForStep asking)
@@ -132,8 +129,7 @@ struct LoadedDataset::State {
         return values;
     }
 
-    // Throws NotYetRead if the array is late. After the array is written, it stays late until the next refresh, because
-    // its ranges are not known before.
+    // A late array that has been written stays late until the next refresh, because its ranges are not known before.
     void check_read(const Dataset& of, const std::string& array, std::size_t step) const {
         const Step& at = of.steps()[step];
         const auto found = at.arrays.find(array);
@@ -182,8 +178,7 @@ struct LoadedDataset::State {
         return found = std::make_shared<const ciel::BlockBoxes>(*std::move(stored));
     }
 
-    // Keeps the fits (CellFits) of one coordinate set only, because a moving mesh would otherwise keep fits for each
-    // step.
+    // Keeps the fits of one coordinate set only, because a moving mesh would otherwise keep fits for each step.
     [[nodiscard]] std::shared_ptr<ciel::CellFits> cell_fits(const Step& at,
                                                             const std::shared_ptr<const ciel::Topology>& topology) {
         const std::lock_guard lock(mutex);
@@ -205,8 +200,7 @@ struct LoadedDataset::State {
             return {std::make_shared<KeptField>(KeptField{topology, make()}), bytes};
         });
         of->check_intact();
-        // Returns the topology of the cached field, not `topology`, because the field may have been cached before a
-        // refresh.
+        // Returns the cached field's topology, not `topology`, because the field may be older than the last refresh.
         return {
             kept->topology, {kept, &kept->field}, of->mesh_arrays().points_to_load(at.mesh, at.coordinates), of, step};
     }
@@ -248,8 +242,7 @@ std::shared_ptr<const ciel::Topology> LoadedDataset::topology(std::size_t mesh) 
     try {
         made = std::make_shared<const ciel::Topology>(of->topology(mesh));
     } catch (const ciel::Error&) {
-        // The message of the kernel names no file. If a file has changed, check_unchanged throws an error that names
-        // the file.
+        // The kernel's error names no file. If a file has changed, check_unchanged throws an error that names it.
         of->check_unchanged();
         throw;
     }

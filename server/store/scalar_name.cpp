@@ -37,8 +37,7 @@ std::pair<const ArrayInfo*, std::string> split(const Dataset& dataset, const std
     return {nullptr, {}};
 }
 
-// Returns the weight of a component in the Frobenius norm. A symmetric tensor has six components. An off-diagonal
-// component appears twice in the matrix.
+// Weight in the Frobenius norm. A symmetric tensor has six components; off-diagonal ones appear twice in the matrix.
 double weight(const ArrayInfo& array, std::size_t component) {
     if (array.component_names.size() != 6) return 1;
     const std::string& name = array.component_names[component];

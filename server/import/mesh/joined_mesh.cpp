@@ -365,8 +365,7 @@ std::uint64_t count_edges(const JoinedMesh& mesh) {
                 }
             });
     };
-    // A bucket has the edges with the same lower vertex id. Buckets are short, so sorting all of them takes linear
-    // time.
+    // A bucket has the edges with the same lower vertex id. Buckets are short, so sorting them takes linear time.
     std::vector<std::uint64_t> bucket(std::size_t{mesh.point_count} + 1, 0); // by vertex: its first edge
     for_each_edge([&](ciel::Index low, ciel::Index) { ++bucket[low + 1]; });
     for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];

@@ -65,8 +65,7 @@ std::size_t piece_of_cell(const std::vector<JoinedMesh::Member>& pieces, ciel::I
     return static_cast<std::size_t>(next - pieces.begin()) - 1;
 }
 
-// Finds the piece of a point by its running id (joined_mesh.hpp). Sorts the pieces by first_point, because pieces that
-// share points need not be in this order.
+// Sorts the pieces by first_point (joined_mesh.hpp), because pieces that share points need not be in this order.
 class PiecesByPoint {
 public:
     explicit PiecesByPoint(const std::vector<JoinedMesh::Member>& pieces) {

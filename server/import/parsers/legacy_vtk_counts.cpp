@@ -81,8 +81,7 @@ class Check {
 public:
     Check(std::uint64_t file_size, const std::string& name) : size_(static_cast<double>(file_size)), name_(name) {}
 
-    // Checks the counts that end with this word. Returns the size in bytes of the binary values that follow; 0 if none
-    // follow or the size is not known.
+    // Checks the counts that end with this word. Returns the bytes of the binary values after it; 0 if none or unknown.
     std::uint64_t take(std::string&& word) {
         std::rotate(words_.begin(), words_.begin() + 1, words_.end());
         words_.back() = std::move(word);
@@ -94,8 +93,7 @@ private:
         return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
     }
 
-    // Throws Error if `count` is negative or the file has fewer than count / per_byte bytes. The error quotes the
-    // declaration, which consists of the last `length` words.
+    // `per_byte`: most items in one byte of the file. The error quotes the declaration: the last `length` words.
     void require(double count, double per_byte, std::size_t length) const {
         if (count >= 0 && count <= size_ * per_byte) return;
         std::string declaration;

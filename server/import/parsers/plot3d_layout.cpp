@@ -47,8 +47,7 @@ bool plausible(const Plot3dLayout& layout, std::uint64_t most_points) {
     });
 }
 
-// Returns the size of the file without its header: in bytes for a binary file, as a number of values for a text file.
-// `real`, `integer`: sizes of one value in this unit.
+// In bytes for a binary file, in values for a text file, without the header. `real`, `integer`: size of one value.
 std::uint64_t body_size(const Plot3dLayout& layout, Plot3dKind kind, std::uint64_t real, std::uint64_t integer) {
     const std::uint64_t marks = layout.byte_counts ? 8 : 0;
     std::uint64_t size = 0;

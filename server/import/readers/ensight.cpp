@@ -18,8 +18,7 @@ namespace server::importer {
 
 namespace {
 
-// Checks every word of the line, because any word may be a file name. In a file name, "*" means the digits of a time
-// step.
+// Any word of the line may be a file name. In a file name, "*" means the digits of a time step.
 void require_regular_words(const std::string& line, const std::filesystem::path& directory) {
     std::istringstream words(line);
     for (std::string word; words >> word;) {
@@ -33,8 +32,7 @@ void require_regular_words(const std::string& line, const std::filesystem::path&
     }
 }
 
-// Returns the name of the tensor array that the line lists, else an empty text. The name is the second to last word, as
-// in "tensor symm per node: 1 stress stress.***".
+// The name is the second to last word, as in "tensor symm per node: 1 stress stress.***".
 std::string tensor_in(const std::string& line) {
     if (!line.starts_with("tensor")) return "";
     std::istringstream words(line.substr(std::min(line.find(':'), line.size() - 1) + 1));

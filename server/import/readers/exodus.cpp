@@ -73,8 +73,7 @@ public:
         if (!set_ids_.empty()) sets_ = read_element_sets(file, block_ids_, set_ids_);
     }
 
-    // Puts the cells into the element sets. VTK's reader returns sets without cells, because it looks for 32-bit
-    // connectivity but stores 64-bit.
+    // Fills the element sets. VTK's reader leaves them empty: it looks for 32-bit connectivity, but stores 64-bit.
     [[nodiscard]] vtkSmartPointer<vtkDataObject> read(std::size_t step, const ReadProgress& progress) override {
         auto data = ReaderSource::read(step, progress);
         auto* root = vtkMultiBlockDataSet::SafeDownCast(data);

@@ -40,8 +40,7 @@ void put_back(vtkDataArray* array) {
     put_back<vtkDoubleArray>(array);
 }
 
-// Replaces stand-ins by NaN and infinities again, also in coordinates: the import refuses points that are not finite,
-// but would accept a stand-in such as 3e38.
+// Treats coordinates too: the import refuses points that are not finite, but would accept a stand-in such as 3e38.
 void put_back(vtkDataSet& set) {
     for (vtkDataSetAttributes* arrays : {static_cast<vtkDataSetAttributes*>(set.GetPointData()),
                                          static_cast<vtkDataSetAttributes*>(set.GetCellData())})
@@ -66,8 +65,7 @@ public:
             return data;
         } catch (const ciel::Error& error) {
             const std::string what = error.what();
-            // If an array is of integers, VTK reads only the first digit of a stand-in for NaN or infinity. VTK's error
-            // quotes the other digits.
+            // In an integer array, VTK reads only the first digit of a stand-in. VTK's error quotes the other digits.
             for (const StandIn& stand_in : stand_ins)
                 if (what.find(std::string(stand_in.text).substr(2)) != std::string::npos)
                     throw ciel::Error(file_ + ": holds nan or inf where whole numbers are declared");

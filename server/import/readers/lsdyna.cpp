@@ -15,8 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Adds an empty second file to a family of one file. VTK's reader closes the last file of a family at the end marker,
-// and does not open it again if it is the only file.
+// Adds an empty second file, because VTK's reader closes an only file at the end marker and does not reopen it.
 class PairedFamily {
 public:
     explicit PairedFamily(const fs::path& only) {

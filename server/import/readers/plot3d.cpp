@@ -132,8 +132,7 @@ Plot3dLayout choose_layout(const Inputs& inputs, const std::string& words) {
     return grids.front();
 }
 
-// Adds the solution in the directory of the grid to `inputs`. If there are two solutions, or if the solution does not
-// match the grid, adds none. Returns a note in these cases; an empty text if there is no solution.
+// Returns a note if there is a solution. Adds none if there are two, or if the solution does not match the grid.
 std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     Inputs beside;
     for (const auto& file : importing::plot3d_solutions(inputs[0])) beside.push_back(file.string());
@@ -150,8 +149,7 @@ std::string take_solution_beside(Inputs& inputs, const std::string& words) {
     return "The solution was read from " + name + ", which lies beside the grid.";
 }
 
-// Adds the grid in the directory of the solution to `inputs`, and returns a note. Returns an empty text if no grid is
-// needed or found.
+// Returns a note if it adds a grid, and an empty text if no grid is needed or found.
 std::string take_grid_beside(Inputs& inputs) {
     if (inputs.size() > 1 || !layouts_of(inputs[0], Plot3dKind::grid).empty()) return "";
     const std::filesystem::path grid = importing::plot3d_grid(inputs[0]);

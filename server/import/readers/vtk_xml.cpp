@@ -66,8 +66,7 @@ public:
     [[nodiscard]] std::vector<std::filesystem::path> take() { return std::move(files_); }
 
 private:
-    // Adds a file. If the file is an index, also adds the files that it names, and so on. Each file is opened only
-    // once, because indexes may name themselves and each other.
+    // Also adds the files that an index names. Opens each file only once, because indexes may form cycles.
     void add(const std::filesystem::path& file, int depth) {
         constexpr std::uintmax_t most_bytes = 256U << 20;
         constexpr int deepest = 8;
@@ -88,8 +87,7 @@ private:
     std::unordered_set<std::string> seen_;
 };
 
-// Reads the pieces one by one, so that the import can join them along their cuts. VTK's reader would append the pieces
-// to one grid without marking them.
+// Keeps pieces apart, so that the import can join them along their cuts. VTK's reader would append them to one grid.
 class PiecesSource : public ReaderSource {
 public:
     PiecesSource(const std::string& file, const vtkSmartPointer<vtkXMLReader>& whole, std::vector<std::string> pieces)

@@ -21,8 +21,7 @@ struct Around { // the patch's faces around one vertex
     double area = 0;
 };
 
-// Adds the directions across the border of the patch. At the border all faces lie on one side, so that no weights can
-// be exact in these directions.
+// No weights can be exact in the directions across the border, because all faces lie on one side of it.
 void add_borders(const ciel::FaceMeshView& mesh, const std::vector<ciel::Index>& faces,
                  const std::vector<ciel::Vec3d>& areas, std::map<ciel::Index, Around>& around) {
     struct Side {

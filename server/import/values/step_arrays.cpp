@@ -8,8 +8,7 @@ namespace server::importer {
 
 namespace {
 
-// Returns the role of a patch by its boundary condition, or by the patch type if the condition is not known (OpenFOAM
-// User Guide, "Boundary conditions").
+// Follows the boundary condition, or the patch type if it is not known (OpenFOAM User Guide, "Boundary conditions").
 PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     constexpr std::string_view planes[] = {"slip", "symmetry", "symmetryPlane", "basicSymmetry", "partialSlip"};
     constexpr std::string_view free[] = {"zeroGradient", "fixedGradient", "inletOutlet", "fixedFluxPressure",
@@ -21,8 +20,7 @@ PatchRole role_of(const store::PatchFacts& facts, const std::string& field) {
     return std::ranges::find(free, told) != std::end(free) ? PatchRole::free : PatchRole::other;
 }
 
-// Returns, by patch, whether it is a no-slip wall: a vector is zero on every face, although it is not zero in all
-// cells.
+// A patch is a no-slip wall if a vector is zero on all its faces, although it is not zero in all cells.
 std::vector<bool> find_no_slip(const StepMesh& mesh, const InputGrids& input_grids,
                                const std::vector<FieldName>& fields) {
     std::vector<bool> no_slip(mesh.patches.size(), false);
@@ -115,8 +113,7 @@ void StepArrays::send_cell_field(const StepMesh& mesh, const InputGrids& input_g
                                  std::unique_ptr<PointMaker>& maker, const ArraySink& sink) {
     const std::string name = stored_name(field.name);
     store::Values cells = to_stored(gather_field(mesh.members, field), mesh.cell_of_cell, field.components);
-    // Other steps may have a point array of this name with other components. If the components of that point array are
-    // the chosen components, accept() returns false.
+    // accept() returns false if other components were chosen, from a point array of this name at another step.
     if (!point_field_exists && selection_.wants(name, false) && accept(field, name)) {
         if (!maker)
             maker = std::make_unique<PointMaker>(PointMaker{ciel::PointInterpolation(topology(), mesh.view()),

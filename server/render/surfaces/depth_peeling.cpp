@@ -10,12 +10,10 @@
 namespace server::render {
 namespace {
 
-// Largest number of picture pixels for which layers have twice the resolution of the picture. Layers of such a picture
-// take 1.06 GB: up to 32 bytes per layer pixel, without the records of lines.
+// The layers of such a picture take 1.06 GB: up to 32 bytes per layer pixel, without the records of lines.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// Returns whether the volumes in front of the layer are drawn for this layer. Other layers use the previous picture of
-// the volumes, because little light from these layers reaches the eye.
+// A layer without volumes of its own uses the previous picture of them, because little of its light reaches the eye.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;
@@ -178,8 +176,7 @@ void DepthPeeling::draw(const Picture& picture, Target& target) {
     put_on(picture, target, volumes(0, 0));
 }
 
-// Returns a texture of the opaque depths in the middles of layer pixels. The samples of a multisampled target are not
-// in these middles, so the opaque depths are drawn again.
+// Returns the opaque depths in the middles of layer pixels. A multisampled target has no samples there.
 GLuint DepthPeeling::find_opaque(const Picture& picture, Target& target) {
     if (picture.samples == 1) {
         target.copy_depth(opaque_framebuffer_);
@@ -193,8 +190,7 @@ GLuint DepthPeeling::find_opaque(const Picture& picture, Target& target) {
     return picture.outlines == 0 ? fine_opaque_.texture() : keep_to_outlines(picture);
 }
 
-// Returns a texture of opaque depths in which all layer pixels of a picture pixel are on the same side of an outline,
-// as draw_per_sample() requires.
+// Returns opaque depths with all layer pixels of a picture pixel on one side of an outline, for draw_per_sample().
 GLuint DepthPeeling::keep_to_outlines(const Picture& picture) {
     kept_opaque_.begin(factor_ * width_, factor_ * height_, false);
     gl_.DepthFunc(GL_ALWAYS);

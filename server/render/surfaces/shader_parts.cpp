@@ -109,10 +109,9 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-// is_seen() for layers with transparent lines. The segments of a line overlap in joints, where each segment would
-// absorb light. Therefore each layer records the last line and the depth to which its joint extends, and discards
-// fragments of the same primitives up to that depth. A second pass raises the layer's alpha to the largest of the
-// segments.
+// is_seen() for layers with transparent lines. The segments of a line overlap in joints, where each would absorb light.
+// Therefore each layer records the last line and the depth to which its joint extends, and discards fragments of the
+// same primitives up to that depth. A second pass raises the layer's alpha to the largest of the segments.
 const char* const recorded_glsl = R"(
 #define PEELED
 #define RECORDED

@@ -37,9 +37,8 @@ void main() {
 }
 )";
 
-// is_seen() for lines that are drawn again after the volumes: only fragments in front of the volumes are visible. In
-// the middle of a pixel, a steep boundary face may be nearer than a line that lies on the face. Therefore a line is
-// also visible if it is behind the face by at most the rise of the face over one pixel.
+// is_seen() for lines drawn again after the volumes: only fragments in front of the volumes are visible. In a pixel's
+// middle, a steep face may be nearer than a line on it, so a line may be behind by the face's rise over one pixel.
 constexpr const char* before_volume_glsl = R"(
 uniform float before_volume; // 1: only fragments in front of the volumes are visible
 uniform sampler2D volume_limits;

@@ -36,8 +36,7 @@ void TransparentTriangles::load(const std::vector<ScaledPrimitives>& all, const 
     }
     depth_row_ = depth_row;
     is_sorted_ = sorted;
-    // Of coincident triangles, peeling keeps the triangle that is drawn first. This must be the triangle of the last
-    // primitives, so the order is reversed.
+    // Peeling keeps the first of coincident triangles. It must belong to the last primitives, so the order is reversed.
     if (sorted)
         sort();
     else

@@ -57,8 +57,7 @@ void KeptPicture::begin(const Background& background, const TouchedTiles& touche
     is_drawn_ = true;
 }
 
-// Reads the background into clean_. Called only for the second of two frames with the same background, because a single
-// picture does not need clean_.
+// Called only for the second of two frames with the same background, because a single picture does not need clean_.
 void KeptPicture::keep_background() {
     target_.read({0, 0, background_.width, background_.height}, clean_);
     target_.bind_again();

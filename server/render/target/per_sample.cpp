@@ -8,9 +8,8 @@ namespace {
 // seen_from() for draw_per_sample(). Window depth is linear on a plane, so a large second difference of depths means an
 // outline. Smaller differences also occur on a ball inside its outline. They are ignored: a piece of a volume that is
 // thinner than 1 % of the depth range is not visible.
-// A surface is steep at its outline, so its samples may lie far behind its depth in the middle of the pixel.
-// gl_FragDepth separates these samples from the samples behind the surface. Therefore it is close to the depth behind
-// the outline.
+// A surface is steep at its outline, so its samples may lie far behind its depth in the middle of the pixel. Therefore
+// gl_FragDepth, which separates them from samples behind the surface, is close to the depth behind the outline.
 constexpr const char* per_sample = R"(
 uniform sampler2D opaque;
 // 1: draws samples behind outlines, and all samples without an outline; 0: draws samples in front of outlines

@@ -36,8 +36,7 @@ public:
         return true;
     }
 
-    // Calls function(span) for the tiles of each piece of a line. The line is divided into short pieces, because a
-    // slanted line touches only a few tiles of its bounding box `whole`.
+    // Calls function(span) for short pieces of a line: a slanted line touches few tiles of its bounding box `whole`.
     template <class Function>
     void for_pieces(const ciel::Vec3f& from, const ciel::Vec3f& to, const Span& whole, const Function& function) const {
         const int pieces = 2 * (whole.right - whole.left + whole.top - whole.bottom);

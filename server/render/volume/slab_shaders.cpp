@@ -245,8 +245,7 @@ void main() {
 }
 )";
 
-// Returns GLSL that selects a part of the ray inside the mesh: the part that contains the slice or, for `edge`, that
-// begins or ends on the boundary face.
+// Returns GLSL that selects the part of the ray with the slice or, for `edge`, with an end on the boundary face.
 std::string later_parts(int parts, bool edge) {
     std::string text;
     for (int i = 1; i < parts; ++i) {

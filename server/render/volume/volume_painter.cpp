@@ -30,8 +30,7 @@ glm::vec2 normalisation(const color::ColorScale& scale) {
 
 double thickness_of(const Volume& volume) { return volume.thickness * static_cast<double>(volume.stride); }
 
-// Returns the factor by which the picture of all volumes is multiplied. A volume with a smaller opacity has a transfer
-// table with less extinction.
+// The picture of all volumes is multiplied by this. A volume of smaller opacity has a table with less extinction.
 float largest_opacity(const Frame& frame) {
     float largest = 0;
     for (const Volume& volume : frame.volumes) largest = std::max(largest, volume.opacity);
@@ -276,8 +275,7 @@ void VolumePainter::use_edge(const Volume& volume, const Slot& slot, std::size_t
     slot.buffers->bind_boundary();
 }
 
-// The error from a wrong order of two coincident pieces is about the product of their optical depths. Therefore denser
-// slabs are divided into shorter pieces.
+// The error from a wrong order of two pieces is about the product of their optical depths, so dense slabs are divided.
 SlabPieces VolumePainter::pieces_of_slabs(const Frame& frame) const {
     // least_loss: largest geometric mean of the optical depths of coincident pieces. widest: limit of slab_angle_.
     constexpr double least_loss = 0.1, widest = 3;

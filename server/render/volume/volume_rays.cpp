@@ -51,8 +51,7 @@ double VolumeView::eye_along(const ciel::Vec3d& normal) const {
     return glm::dot(glm::dvec3(normal[0], normal[1], normal[2]), glm::dvec3(glm::inverse(transform->view)[3]));
 }
 
-// If the eye is in the bounds, the shader part_fragment moves entries of rays away from the eye, because boundary faces
-// may coincide.
+// If so, the shader part_fragment moves entries of rays away from the eye, because boundary faces may coincide.
 bool VolumeView::eye_is_in_bounds() const {
     const ciel::Vec3d& eye = frame->camera.position;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -28,9 +28,8 @@ void main() {
 }
 )";
 
-// Writes a depth one slab behind the layer. A fragment may draw a piece that begins one slab in front of the fragment,
-// and so in front of the layer. Writes 0 if neither the ray nor a ray of a neighbor pixel, which compositing also
-// reads, meets the layer.
+// Writes a depth one slab behind the layer, because a fragment may draw a piece that begins one slab in front of the
+// fragment. Writes 0 if neither the ray nor a neighbor pixel's ray, which compositing also reads, meets the layer.
 constexpr const char* reach_fragment = R"(
 uniform sampler2D pixels;
 uniform sampler2D depths;

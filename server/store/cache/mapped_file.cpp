@@ -48,8 +48,7 @@ MappedFile::MappedFile(std::filesystem::path file, std::size_t bytes, LossCount 
     if (::fstat(in.get(), &opened_) != 0) refuse_errno(path_, "cannot be examined");
     check_status(path_, opened_, bytes);
     seen_ = opened_;
-    // Maps zeroed memory for the file and its tail. With FileAccess::mapped, the file is then mapped over its
-    // beginning.
+    // Maps zeroed memory for file and tail. With FileAccess::mapped, the file is then mapped over its beginning.
     mapped_ = bytes + tail;
     const bool is_read = access == FileAccess::read;
     const int protection = is_read ? PROT_READ | PROT_WRITE : PROT_READ;
@@ -115,16 +114,14 @@ void MappedFile::copy(std::span<const std::byte> part) const {
 
 void MappedFile::load(std::span<const std::byte> part) const {
     if (access() == FileAccess::read) return copy(part);
-    // MADV_POPULATE_READ, since Linux 5.14. Older kernels return EINVAL; memory pages are then read at their first
-    // access.
+    // MADV_POPULATE_READ. Linux before 5.14 returns EINVAL; memory pages are then read at their first access.
     constexpr int populate_read = 22;
     static const auto memory_page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
     const auto address = reinterpret_cast<std::uintptr_t>(part.data());
     const std::uintptr_t before = address % memory_page;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its memory page
     auto* const begin = reinterpret_cast<void*>(address - before);
-    // expect_random_reads has turned off reading ahead, so each access would read one memory page. MADV_WILLNEED
-    // requests all memory pages of `part` together.
+    // Requests all memory pages at once. Without reading ahead (expect_random_reads), each access would read one page.
     (void)::madvise(begin, part.size() + before, MADV_WILLNEED);
     if (::madvise(begin, part.size() + before, populate_read) == 0) return;
     if (errno == EFAULT || errno == EHWPOISON) refuse();

@@ -300,14 +300,12 @@ void MappedMesh::number_faces() const {
         std::vector<std::vector<ciel::Index>> ids(groups_.size());
         for (std::size_t i = 0; i < groups_.size(); ++i)
             if (groups_[i].of == Group::Of::faces) ids[i].assign(groups_[i].ids.begin(), groups_[i].ids.end());
-        // view_points({}) has no positions, so its vertex count is 0. The limit of the ids in face_vertex is set here
-        // instead.
+        // Sets the limit of the ids in face_vertex, because view_points({}) has no positions and so no vertices.
         ciel::FaceMeshView mesh = with_stored_faces(view_points({}));
         mesh.face_vertex = {mesh.face_vertex.unchecked(), static_cast<ciel::Index>(vertex_count_),
                             keeper("face_vertex")};
         NumberedGroups numbered = number_groups(mesh, ids);
-        // Checks the files again, because a file may have changed since the first check, and a wrong `numbered` would
-        // be kept.
+        // Checks the files again: one may have changed since the first check, and a wrong `numbered` would be kept.
         for (const auto& [name, file] : arrays_)
             if (!has_its_checksum(name, file)) file.refuse();
         check_boundary_count(static_cast<std::uint64_t>(std::ranges::count(numbered.faces.neighbour, ciel::none)));
@@ -362,8 +360,7 @@ void MappedMesh::check_unchanged() {
     const std::lock_guard lock(checking_);
     for (auto& [name, file] : arrays_) {
         file.check_size();
-        // was_touched is called before the checksum is computed, so that its next call detects a write that happens
-        // meanwhile.
+        // was_touched is called before the checksum is computed, so that its next call detects a write in between.
         if (!file.was_touched()) continue;
         const bool is_whole = has_its_checksum(name, file);
         file.check_intact(); // throws if the file was truncated: the zeros in the mapping may match the checksum

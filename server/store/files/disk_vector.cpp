@@ -12,8 +12,7 @@ bool is_disk(const std::filesystem::path& folder) {
     return !folder.empty() && is_on_this_machine(folder) && !is_in_memory(folder);
 }
 
-// Returns MAP_FAILED if the file cannot be made. The disk space of the file is reserved. Otherwise a write to the
-// mapped memory would raise SIGBUS on a full disk.
+// The disk space is reserved. Otherwise a write to the mapped memory would raise SIGBUS on a full disk.
 void* map_new_file(std::size_t bytes, const std::filesystem::path& folder) {
     try {
         const ScratchFile file(folder, bytes);

@@ -197,8 +197,7 @@ void replace_file(const std::filesystem::path& file, std::span<const std::byte> 
     const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
         const Descriptor out = create(beside);
-        // The lock tells remove_left_beside that the writer still runs. A process id cannot tell it: each container has
-        // its own ids.
+        // Tells remove_left_beside that the writer still runs. A process id cannot: each container has its own ids.
         (void)::flock(out.get(), LOCK_EX | LOCK_NB);
         write_all(out, beside, bytes);
         if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");

@@ -30,8 +30,7 @@ public:
         block.with([&](const auto& polyhedra) { add(block, polyhedra); });
     }
 
-    // Calls f(loop, owner, neighbor) for each face that lies between two cells and whose owner is in the block, in
-    // ascending order of the owners.
+    // Calls f(loop, owner, neighbor) for each face with a neighbor and with its owner in the block, ascending by owner.
     template <class F>
     void for_each(F&& f) const {
         std::vector<Index> order(owner_.size());
@@ -65,8 +64,7 @@ private:
             }
         }
     }
-    // Returns whether the face lies between two cells and `cell` is its owner, which is the cell with the lower id. If
-    // so, appends the two cells to owner_ and neighbour_.
+    // If the face lies between two cells and `cell` is its owner (the lower id), appends both cells and returns true.
     bool owns(Index cell, Index half_edge) {
         const HalfEdge mate = topology_.mate_polyhedron(half_edge_in(b_, half_edge));
         if (mate == no_half_edge) return false;

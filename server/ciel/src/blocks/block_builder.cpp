@@ -48,8 +48,7 @@ void BlockBuilder::sort_cells() {
     }
 }
 
-// Returns whether all local ids fit 16 bits. BlockMatesOf::mate has the number of a half-edge or, for a mate in another
-// block or section, the number of a twin. Twins are numbered after the half-edges, so both together must fit.
+// Half-edges and twins must fit together, because BlockMatesOf::mate numbers the twins after the half-edges.
 bool BlockBuilder::fits_16_bits() const {
     constexpr std::size_t limit = no_mate;
     std::vector<std::uint8_t> is_polyhedron(loops_.cell_end - loops_.cell_begin, 0);
@@ -126,7 +125,6 @@ void BlockBuilder::fill_standard(BuiltBlock& built, std::span<const Recognised> 
     set_anchors<shape>(cells, section.half_edge_begin);
 }
 
-// On side 0, the anchor leaves the first corner of the face's loop; on side 1, it leads to this corner.
 template <const StandardShape& shape>
 void BlockBuilder::set_anchors(std::span<const Recognised> cells, Index half_edge_begin) {
     for (const Recognised& cell : cells) {

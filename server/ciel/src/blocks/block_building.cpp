@@ -21,9 +21,8 @@ namespace detail {
 namespace {
 
 // Returns the first cell of each block, then the number of cells. A block gets fewer than `cells_per_block` cells if
-// its local ids might not fit 16 bits (BlockBuilder::fits_16_bits). `room` limits the half-edges of a block, where
-// those of standard cells count twice. `corner_room` limits the corners of its faces. Only a block of one giant cell
-// may exceed these limits.
+// its local ids might not fit 16 bits (BlockBuilder::fits_16_bits). `room` limits its half-edges, where those of
+// standard cells count twice; `corner_room` limits the corners of its faces. Only a single giant cell may exceed them.
 template <class Source>
 std::vector<Index> divide(const Source& source, Index cells_per_block) {
     constexpr std::uint64_t room = 96000, corner_room = 64000;
@@ -52,7 +51,6 @@ std::vector<Index> divide(const Source& source, Index cells_per_block) {
     return begin;
 }
 
-// Results of one pass over all faces.
 struct Survey {
     std::vector<Index> last_cell; // by vertex: the last cell with a face that has the vertex
     std::uint64_t boundary_faces = 0, components = 0;
@@ -112,8 +110,7 @@ private:
         RecordBytes bytes;
     };
 
-    // Stops the work: when one thread ends, no other thread takes another block. After an exception, the records of
-    // further blocks would only fill the memory, because the sink gets no more records.
+    // After an exception in one thread, the sink gets no more records, so further blocks would only fill the memory.
     struct StopAll {
         Building& building;
         ~StopAll() { building.next_ = building.built_.size(); }
@@ -137,8 +134,7 @@ private:
                 complete.push_back({places_++, std::move(record)});
         return complete;
     }
-    // If the sink throws, the record has left `made_`, but put_ still has its place. All later records therefore wait,
-    // so that the sink is not called again.
+    // After the sink has thrown, it is not called again, because put_ stays at the place of the removed record.
     void put(std::size_t place, Made made) {
         const Locked lock(putting_);
         made_.emplace(place, std::move(made));

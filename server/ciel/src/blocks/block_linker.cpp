@@ -86,8 +86,7 @@ struct BlockLinker::Pending {
     std::vector<HalfEdge> twins;
     std::size_t open_faces = 0;
 
-    // Throws Error if complete_border has already freed ring_end, because the arrays of the mesh have changed
-    // meanwhile.
+    // Throws Error if complete_border has already freed ring_end, because the mesh's arrays have changed meanwhile.
     [[nodiscard]] Index& ring_end_of(Index own_vertex) {
         if (own_vertex >= ring_end.size()) refuse("two faces of it contradict each other");
         return ring_end[own_vertex];
@@ -161,7 +160,6 @@ void BlockLinker::own_vertices(BuiltBlock& built) {
         if (*v != vertices_++) refuse("its vertices are not in the order of their first use");
 }
 
-// The ring of a vertex has the owner first, then the later blocks in ascending order.
 void BlockLinker::share_vertices(const BuiltBlock& built) {
     const auto b = static_cast<Index>(pending_.size() - 1);
     Index owner = 0;

@@ -32,8 +32,7 @@ enum Id : std::uint16_t {
     id_twin_half_edge,
     id_mate_face,
     id_mate_escape,
-    // Each of these ids is for tetrahedra. The next ids are for the other types in the order of standard_types, and
-    // then for polyhedra.
+    // Each of these ids starts a range: one id for each type in the order of standard_types, then one for polyhedra.
     id_cell = 48,
     id_vertex = 56,
     id_edge = 64,
@@ -76,8 +75,7 @@ std::vector<Index> blocks_at(std::span<const std::int32_t> distances, Index numb
     return out;
 }
 
-// Returns the blocks that own the ghosts, ascending. `ids`: mesh-wide ids of the ghosts, ascending. `begin`: first id
-// that each block owns.
+// Returns the blocks that own the ghosts `ids`. Both are in ascending order. `begin`: first id that each block owns.
 std::vector<Index> owners_of(std::span<const Index> ids, std::span<const Index> begin) {
     std::vector<Index> owners;
     for (const Index id : ids)

@@ -81,8 +81,7 @@ void check_standard(const Checker& checker, const StandardSection& section, cons
     checker.require(agree, "two cells disagree about the ends of an edge");
 }
 
-// Requires that `begin` ascends from 0 to `end` in steps of at least `least`. Also compares the number of steps with
-// `end`, because the entries may change during the check.
+// Requires steps of at least `least` from 0 to `end`. Also checks their number, because entries may change meanwhile.
 template <class Array>
 void check_begins(const Checker& checker, const Array& begin, std::size_t end, std::size_t least, const char* what) {
     bool ascend = begin.front() == 0 && begin.back() == end;

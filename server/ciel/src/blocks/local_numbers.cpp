@@ -27,7 +27,6 @@ void LocalNumbers::add_hashed(Index id) {
     if (2 * added_.size() > hashed_.size()) grow();
 }
 
-// Hashed ids are less than all ids in the window, and the window is in ascending order already.
 void LocalNumbers::number(std::vector<Index>& ids) {
     std::ranges::sort(added_);
     ids = added_;

@@ -63,8 +63,6 @@ void Filler<Local>::append_face(Index loop) {
     out_.face_begin.push_back(static_cast<Local>(out_.vertex.size()));
 }
 
-// Faces between two cells of the section come first, then faces with only the owner in the section, then faces with
-// only the neighbor in the section.
 template <class Local>
 void Filler<Local>::place_faces() {
     section_cell_.assign(built_.block.cell_count, none);
@@ -142,7 +140,6 @@ void Filler<Local>::pair() {
     std::ranges::sort(mates_.mate_escapes, {}, &MateEscape::half_edge);
 }
 
-// `mate_face`: index of the face of the mate among the faces of the cell.
 template <class Local>
 void Filler<Local>::set_mate(Index h, Index mate, Index mate_face) {
     const auto put = [&](Index bits) {

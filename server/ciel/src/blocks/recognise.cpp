@@ -6,8 +6,7 @@ namespace ciel::detail {
 
 namespace {
 
-// Returns the face from which find_corners finds the other corners: a triangle of a tetrahedron or wedge, a quadrangle
-// of a hexahedron or pyramid.
+// Returns the face at which find_corners starts: a triangle of a tetrahedron or wedge, else a quadrangle.
 constexpr std::size_t base_face(CellType type) {
     switch (type) {
     case CellType::tetrahedron:

@@ -63,8 +63,7 @@ void Topology::Blocks::begin() {
     is_trusted_ = source->is_trusted();
 }
 
-// Throws Error if the step from `at` to `next` passes the block `start`, or leads to another vertex. The blocks of a
-// ring ascend, except at the step from the last block to the first. Therefore a walk ends if no step passes `start`.
+// The blocks of a ring ascend, except from the last to the first. Therefore a walk ends if no step passes `start`.
 void Topology::Blocks::check_ring(BorderVertex at, BorderVertex next, Index start) const {
     const bool onwards =
         at.block < start ? next.block > at.block && next.block <= start : next.block > at.block || next.block <= start;

@@ -25,9 +25,8 @@ InCell in_cell(const StandardSection& section, Index local_half_edge) {
     return place;
 }
 
-// Returns the first half-edge that leaves the vertex at `entry`. At a corner of a stored loop, this half-edge runs
-// along the loop, or against the loop if only side 1 of the face is in the section. If a record has changed, the
-// half-edge may not exist.
+// Returns the first half-edge that leaves the vertex at `entry`. At a corner of a stored loop, it runs along the loop,
+// or against the loop if only side 1 of the face is in the section. If a record has changed, it may not exist.
 Index first_at_entry(const Block& block, Index entry) {
     if (const std::size_t s = block.section_of_entry(entry); s < block.standard.size()) {
         const StandardSection& section = block.standard[s];
@@ -103,8 +102,7 @@ HalfEdge Topology::mate_face(HalfEdge h) const {
     return half_edge_in(b, mate);
 }
 
-// Only the mate of the first half-edge of a face is stored. Starting at this mate, the mates of the next half-edges
-// follow in reverse order around the face of the other cell.
+// Only the mate of a face's first half-edge is stored. The mates of the next half-edges precede this mate in its face.
 HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     const Blocks::Place at = blocks_->place_of(h);
     const Block& block = at.block;

@@ -35,8 +35,7 @@ std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView
         fail("counting ambiguous faces needs one value for each vertex; pass as many values as the topology has "
              "vertices");
     const Topology::Blocks& blocks = topology.blocks();
-    // Every face is counted twice: a face inside the mesh from both of its cells, a boundary face here and in the loop
-    // over `boundary`.
+    // Every face is counted twice: inner faces from both cells, boundary faces here and in the loop over `boundary`.
     std::atomic<std::uint64_t> sides{0};
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
         CellLoops loops;

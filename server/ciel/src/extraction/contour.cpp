@@ -148,9 +148,8 @@ bool sweep(const Field& field, std::span<const double> levels, const OnCut& on_c
         on_cut(value, block, NamedCut(mesh, cut).get());
     };
     bool done = false;
-    // Always sets a thread limit, because a loop that a callback starts then runs on the callback's thread only.
-    // Without a limit, this thread could take another block while it waits for that loop, and overwrite the cut that
-    // the callback reads.
+    // Always sets a thread limit, so that a loop that a callback starts runs on the callback's thread only. Otherwise
+    // this thread could take another block while it waits for that loop, and overwrite the cut that the callback reads.
     with_threads(options.threads > 0 ? options.threads : thread_count(), [&] {
         SweepScratch scratch;
         done = sweep(mesh.topology(), mesh.stored(), field, levels, named, scratch, stop,

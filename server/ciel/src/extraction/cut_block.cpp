@@ -25,8 +25,7 @@ Index high_corners(const std::uint16_t* vertex, const std::uint8_t* high) {
     return bits;
 }
 
-// Appends the active cells of [begin, end) to scratch.cell. Has no branch, because branches on active cells are
-// mispredicted.
+// Has no branch, because branches on active cells are mispredicted.
 template <std::size_t corners>
 void list_active(const StandardSection& section, Index begin, Index end, CutScratch& scratch) {
     constexpr Index all = (Index{1} << corners) - 1;
@@ -41,9 +40,8 @@ void list_active(const StandardSection& section, Index begin, Index end, CutScra
     scratch.cells = static_cast<Index>(to - scratch.cell.data());
 }
 
-// Sets scratch.low_parts and scratch.high_parts. A group of cells has vertices in few parts (Block::vertices_per_part),
-// and most parts are all low or all high. Therefore most groups can be skipped. The padding after the last vertex
-// counts as low; at worst, a group without active cells is searched.
+// A group of cells has vertices in few parts, and most parts are all low or all high, so most groups are skipped.
+// The padding after the last vertex counts as low; at worst, a group without active cells is searched.
 void find_parts(const Block& block, CutScratch& scratch) {
     constexpr std::uint64_t all_high = 0x0101010101010101U;
     const Index step = block.vertices_per_part();
@@ -85,8 +83,7 @@ void find_active(const StandardSection& section, const BlockValues& in, std::spa
     });
 }
 
-// Sets scratch.crossed_cells. Compares 64 corners at a time, because a loop over the corners of each face mispredicts
-// branches.
+// Compares 64 corners at a time, because a loop over the corners of each face mispredicts branches.
 template <class Local>
 void find_crossed(const PolyhedralSection<Local>& section, CutScratch& scratch) {
     const std::size_t corners = section.vertex.size();
@@ -145,8 +142,7 @@ void find_active(const PolyhedralSection<Local>& section, const BlockValues& in,
     }
 }
 
-// scratch.ends and scratch.cell get one extra entry, because branch-free loops write an entry after the last active
-// entry.
+// Branch-free loops write an entry after the last active entry, so scratch.ends and scratch.cell get an extra entry.
 void begin_cut(const Block& block, CutScratch& scratch, ActiveBlock& cut) {
     grow(scratch.ends, std::max<std::size_t>(block.edge_count, local_ids) + 1);
     grow(scratch.cell, block.cell_count + std::size_t{1});
@@ -188,8 +184,7 @@ CIEL_FOR_ALL_VECTOR_UNITS Index rank_active(const std::uint64_t* active, std::si
     return count;
 }
 
-// Throws Error if the record changed and a polygon is in a cell that the block does not have. A section without a list
-// of cells needs no check, because its cell numbers do not come from the record.
+// A section without a list of cells needs no check, because its cell numbers do not come from the record.
 void check_cells(const Block& block, const ActiveBlock& cut) {
     const auto lists_cells = [](const auto& section) { return !section.cell.empty(); };
     if (!std::ranges::any_of(block.standard, lists_cells) && !block.with(lists_cells)) return;
@@ -199,8 +194,7 @@ void check_cells(const Block& block, const ActiveBlock& cut) {
     if (outside != 0) refuse_changed("a cell does not exist");
 }
 
-// Throws Error if the record changed and an edge is active that the block does not have. This check covers the
-// polygons, because every edge of a polygon is active.
+// This check covers the polygons, because every edge of a polygon is active.
 void check_edges(const Block& block, CutScratch& scratch) {
     const std::size_t words = (block.edge_count + std::size_t{63}) / 64;
     const Index rest = block.edge_count % 64;

@@ -16,8 +16,7 @@ namespace ciel::detail {
 
 namespace {
 
-// Returns the stamp of the next cell. Entries of `marks` with another stamp belong to earlier cells and are stale. 0 is
-// never a stamp.
+// Returns a stamp, never 0. Entries of `marks` with another stamp belong to earlier cells and are stale.
 template <class Marks>
 Index next_stamp(Index& stamp, std::vector<Marks>& marks) {
     // After 2^32 stamps, the numbers repeat. Old entries must not match them.
@@ -117,8 +116,7 @@ bool PolyhedronCutter<Edges, Local>::has_gap(Index cell) {
     return false;
 }
 
-// Returns one bit for each corner of a face, set if the corner is high. Reads eight corners at once, because a loop
-// over the unpredictable number of corners mispredicts branches.
+// Reads eight corners at once, because a loop over the unpredictable number of corners mispredicts branches.
 template <class Edges, class Local>
 std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index size) const {
     const Local* vertex = vertex_ + begin;
@@ -131,8 +129,7 @@ std::uint64_t PolyhedronCutter<Edges, Local>::high_corners(Index begin, Index si
     return bits;
 }
 
-// Returns the faces of the cell that have active edges. Tests a face again for its second cell, because a cache of the
-// results was slower.
+// Tests a face again for its second cell, because a cache of the results was slower.
 template <class Edges, class Local>
 std::span<const CutScratch::CrossedFace> PolyhedronCutter<Edges, Local>::find_crossed(Index cell) {
     const std::span<const Local> faces = section_.faces_of(cell);
@@ -165,8 +162,7 @@ bool PolyhedronCutter<Edges, Local>::link(Index entry, Index after, Index exit) 
     return true;
 }
 
-// A cell on side 1 of the face sees the stored loop reversed. There, the polygon enters the face at its descending
-// edge.
+// A cell on side 1 sees the stored loop reversed. There, the polygon enters the face at its descending edge.
 template <class Edges, class Local>
 bool PolyhedronCutter<Edges, Local>::link_once(const CutScratch::CrossedFace& face) {
     const Index begin = section_.face_begin[face.face], end = section_.face_begin[face.face + 1];
@@ -199,8 +195,7 @@ bool PolyhedronCutter<Edges, Local>::link_often(const CutScratch::CrossedFace& f
     return simple;
 }
 
-// Lists the active edges of a face in scratch.crossing, in the order of the stored loop. Climbing and descending edges
-// alternate, and the first edge climbs.
+// Sets scratch.crossing in stored order. Climbing and descending edges alternate, and the first edge climbs.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::find_crossings(Loop loop) {
     scratch_.crossing.clear();
@@ -321,8 +316,7 @@ Index PolyhedronCutter<Edges, Local>::exit_of(Loop loop, Index entry, bool forwa
     return corner;
 }
 
-// In a cell that touches itself or has collapsed, a walk may pass an edge more than once. Therefore drops repetitions
-// of the first edge at the end, and a polygon that has at most two different edges.
+// In a cell that touches itself or has collapsed, a walk may pass an edge more than once.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish_walk(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;
@@ -345,8 +339,7 @@ void PolyhedronCutter<Edges, Local>::check_active(std::size_t begin) const {
     if (!active) refuse_changed("a polygon has an edge that is not active");
 }
 
-// Reverses the polygon: seen from outside the cell, the walk has the high side on its left, but the right-hand normal
-// must point to the high side.
+// Seen from outside the cell, the walk has the high side on its left, but the normal must point to the high side.
 template <class Edges, class Local>
 void PolyhedronCutter<Edges, Local>::finish(Index cell, std::size_t begin) {
     std::vector<Index>& loop = cut_.polygon_edge;

@@ -94,8 +94,7 @@ private:
         scratch_.cells -= static_cast<Index>(active.end() - end);
     }
 
-    // Returns whether a corner of the cell has no value, so that the cell is not cut. If so, activates the edges that
-    // cross nu, because a cell of another block may use these edges.
+    // Returns whether a corner has no value. If so, activates the crossed edges, because other blocks may use them.
     bool passed_over(const CutScratch::ActiveCell& cell) {
         const std::uint16_t* vertex = &section_.vertex[cell.index * shape.corners];
         const auto has_value = [&](std::size_t corner) { return !std::isnan(in_.values[vertex[corner]]); };

@@ -51,8 +51,7 @@ double Propagation::value(Index vertex) const { return field_->value(vertex); }
 
 bool Propagation::below(Index a, Index b) const { return value(a) != value(b) ? value(a) < value(b) : a < b; }
 
-// Moves nu past the vertex. Visits its half-edges with next_around_vertex, because rotation by mate_face and
-// mate_polyhedron would miss cells at non-manifold edges and at the boundary.
+// Uses next_around_vertex, because mate_face and mate_polyhedron miss cells at non-manifold edges and at boundaries.
 template <Propagation::Way way>
 void Propagation::pass(Index vertex) {
     is_low_[vertex] = way == Way::up ? 1 : 0;

@@ -16,9 +16,8 @@ struct Corners {
     [[nodiscard]] bool descends(std::size_t h) const { return is_high(shape.origin[h]) && !is_high(shape.target(h)); }
 };
 
-// Appends the polygon that enters a face at the half-edge `start`. The walk leaves a face at the next active half-edge
-// of the loop, or at the previous one if the high corners of the face are joined. It continues at the mate of that
-// half-edge.
+// Appends the polygon that enters a face at the half-edge `start`. joined_case (standard_cases.hpp) says where the walk
+// leaves a face. The walk continues at the mate of the half-edge where it leaves.
 void walk(const Corners& corners, std::size_t start, std::array<bool, 24>& walked, StandardCase& out) {
     const std::size_t begin = out.edges;
     std::size_t h = start;

@@ -12,8 +12,7 @@ namespace {
 
 bool is_zero(const Vec3f& v) { return v == Vec3f{}; }
 
-// Marks the points whose normal is zero or points against a polygon around the point. In flat cells at a wall, the
-// least-squares gradient of a cell and the surface in the cell may disagree.
+// In flat cells at a wall, the least-squares gradient of a cell and the surface in the cell may disagree.
 void mark_doubtful(const Surface& surface, std::vector<std::uint8_t>& doubtful) {
     doubtful.assign(surface.points.size(), 0);
     parallel_for(surface.polygon_cell.size(), 4096, [&](std::size_t begin, std::size_t end) {

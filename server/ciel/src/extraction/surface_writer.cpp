@@ -164,9 +164,8 @@ void Writer::write_adopted() {
     });
 }
 
-// Returns the point of a ghost edge in the surface. `edge`: mesh-wide id. `owner`: owner of the previous ghost edge;
-// updated. Ghost edges are sorted, so the owner seldom changes. Throws Error if the records of the two blocks
-// contradict each other.
+// `edge`: mesh-wide id. `owner`: owner of the previous ghost edge; updated. Ghost edges are sorted, so the owner seldom
+// changes. Throws Error if the records of the two blocks contradict each other.
 Index Writer::point_of_ghost(Index edge, Owner& owner) const {
     // Also true if edge < edge_begin, because the difference then wraps around.
     if (edge - owner.edge_begin >= owner.edges) {
@@ -217,8 +216,7 @@ void Writer::list_ranges() {
     }
 }
 
-// Removes the points that no polygon uses. Such points lie on active edges of cells that were skipped or have
-// collapsed.
+// Unused points lie on active edges of cells that were skipped or have collapsed.
 void Writer::drop_unused_points() {
     std::vector<Index>& renumbered = scratch_.renumbered;
     renumbered.assign(out_.points.size(), none);

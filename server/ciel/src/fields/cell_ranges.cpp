@@ -54,8 +54,7 @@ void append(const PolyhedralSection<Local>& section, std::span<const Value> valu
 
 } // namespace
 
-// Sets the state of a block on destruction. If an allocation threw, the state is asked_once, so that the next call
-// tries again.
+// Sets a block's state on destruction: asked_once if an allocation threw, so that the next call tries again.
 class CellRanges::Making {
 public:
     explicit Making(std::atomic<std::uint8_t>& state) : state_(state) {}

@@ -81,9 +81,8 @@ void Field::Data::find_extrema() const {
     }
 }
 
-// Finds the extrema of plane distances among the boundary vertices and the vertices with a reflex corner. Returns false
-// when the values are no plane distances. Also returns false when the values are so large that two distances may round
-// to the same float, because any vertex may then be an extremum.
+// Searches boundary vertices and reflex corners only. Returns false if the values are no plane distances, or so large
+// that two distances may round to the same float, because any vertex may then be an extremum.
 bool Field::Data::find_geometric_extrema() const {
     if (!where_extrema) return false;
     const GeometricVertices::Found& where = where_extrema->find(*topology);

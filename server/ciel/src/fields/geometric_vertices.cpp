@@ -18,9 +18,8 @@ namespace {
 
 Vec3d difference(const Vec3d& a, const Vec3d& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
-// Flags each vertex with a cell corner that is not convex by `margin`. In each direction, an inner vertex without a
-// flag has an adjacent vertex that lies at least `margin` farther. Therefore only flagged and boundary vertices can be
-// extrema of a plane distance.
+// Flags each vertex with a cell corner that is not convex by `margin`. Every other inner vertex has, in each direction,
+// an adjacent vertex at least `margin` farther, so it cannot be an extremum of a plane distance.
 class ReflexCorners {
 public:
     ReflexCorners(const FaceMeshView& mesh, const Block& block, double margin, std::vector<std::uint8_t>& flag)

@@ -64,9 +64,8 @@ struct AddSolved {
     }
 };
 
-// Computes the gradients at the wanted vertices: the ends of active edges whose gradients are not yet known. In a block
-// with few wanted vertices, the cells around each wanted vertex are solved separately. Otherwise, each needed cell is
-// solved once, and then the gradients at vertices that several blocks have are summed.
+// Computes the gradients at the wanted vertices: ends of active edges whose gradients are not yet known. In a block
+// with more than `few` of them, solves each needed cell once, then sums at the vertices that several blocks have.
 class Pass {
 public:
     Pass(const FaceMeshView& mesh, const Field::Data& field, std::span<std::uint8_t> state,

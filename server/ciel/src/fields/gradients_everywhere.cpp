@@ -12,10 +12,9 @@ namespace ciel::detail {
 
 namespace {
 
-// Keeps the gradients of the cells of blocks while border vertices need them. The gradient at a border vertex is summed
-// with the first block of its ring, so it needs no earlier block. Therefore the gradients of a block are dropped when
-// this block and all earlier blocks are done. Few blocks are kept at a time, because blocks that are near in the block
-// order are near in space. Thread-safe.
+// Keeps the gradients of a block's cells until this block and all earlier blocks are done. The gradient at a border
+// vertex is summed with the first block of its ring, so it needs no earlier block. Few blocks are kept at a time,
+// because blocks that are near in the block order are near in space. Thread-safe.
 class CellGradients {
 public:
     using OfBlock = std::unique_ptr<CellGradient[]>; // section by section
@@ -50,8 +49,7 @@ public:
           out_(mesh.vertex_count()) {}
 
     std::vector<Vec3f> run() {
-        // Threads take blocks from one counter. The ranges of parallel_for may begin far apart in the block order, so
-        // that the gradients of many blocks would be kept.
+        // Threads share a counter, because far apart ranges of parallel_for would keep the gradients of many blocks.
         std::atomic<Index> next{0};
         parallel_for(blocks_.count(), 1, [&](std::size_t begin, std::size_t end) {
             for (; begin < end; ++begin) {
@@ -68,8 +66,7 @@ private:
     [[nodiscard]] const CellGradient* cells_of(Index b, Index user) {
         return cells_.get(b, user, [&] { return sum_inside(b); });
     }
-    // Sets the gradients at the block's own vertices; at its border, sum_at_border replaces them. Returns the gradients
-    // of the block's cells.
+    // Sets the gradients at owned vertices; sum_at_border replaces those at the border. Returns the cells' gradients.
     [[nodiscard]] CellGradients::OfBlock sum_inside(Index b);
     void sum_at_border(Index b);
 

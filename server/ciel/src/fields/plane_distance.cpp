@@ -44,8 +44,7 @@ BlockRanges PlaneDistance::ranges(const BlockBoxes& boxes) const {
     return out;
 }
 
-// For the minimum, reads the blocks in the order of their lower bounds, until no block can have a lower distance. Finds
-// the maximum in the same way.
+// Reads the blocks in the order of their bounds, until no block can have a lower (for the maximum, higher) distance.
 std::array<double, 2> PlaneDistance::range(const BlockRanges& bounds, std::span<const Index> first_vertex) const {
     std::vector<Index> order(bounds.low.size());
     std::iota(order.begin(), order.end(), Index{0});

@@ -79,8 +79,7 @@ PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshV
     });
 }
 
-// Returns pairs of a vertex and a cell that has the vertex only in a face that collapsed to a point. The blocks do not
-// store such faces.
+// Returns the cells that have a vertex only in a face that collapsed to a point. Blocks do not store such faces.
 std::vector<PointInterpolation::CellAtVertex> PointInterpolation::at_collapsed_faces(const Topology& topology,
                                                                                      const FaceMeshView& mesh) {
     std::vector<CellAtVertex> found;
@@ -98,8 +97,7 @@ std::vector<PointInterpolation::CellAtVertex> PointInterpolation::at_collapsed_f
     return found;
 }
 
-// Lists the cells of each vertex. Threads add the cells of a vertex in any order, so that the lists are sorted
-// afterwards.
+// Threads add the cells of a vertex in any order, so that the lists are sorted afterwards.
 void PointInterpolation::find_cells(const Topology& topology, std::span<const CellAtVertex> further) {
     const std::size_t vertices = topology.counts().vertices;
     const Topology::Blocks& blocks = topology.blocks();

@@ -16,8 +16,7 @@ void list_own(const Ids owners, Index cells, CellFaces& out) {
     out.own_begin.resize(std::size_t{cells} + 1, static_cast<Index>(owners.size()));
 }
 
-// Each neighbor is read twice. The second reading is checked, because the mesh may be in a mapped file that changes
-// between the readings.
+// Each neighbor is read twice. The second reading is checked, because a mapped file may change between the readings.
 void list_others(const OptionalIds neighbours, Index cells, CellFaces& out) {
     out.other_begin.assign(std::size_t{cells} + 1, 0);
     for (const Index neighbour : neighbours)

@@ -121,8 +121,7 @@ bool CellWinding::collect_edges() {
     return true;
 }
 
-// Makes the winding of the faces of each lobe agree. The first face of a lobe keeps its winding. Returns the number of
-// lobes.
+// Makes the faces of each lobe agree with the winding of its first face. Returns the number of lobes.
 Index CellWinding::spread_winding() {
     lobe_.assign(faces_.size(), none);
     std::vector<Index> queue;
@@ -160,9 +159,8 @@ std::vector<Index> CellWinding::lobes(Index cell) {
     return out;
 }
 
-// Joins lobes that are closed only together: several lobes may meet at an edge at which each of them is open. The edges
-// are visited one after another, because lobes that were joined at an earlier edge may already be closed at a later
-// edge.
+// Joins lobes that are closed only together: several lobes may meet at an edge at which each of them is open. Visits
+// the edges one after another, because lobes that were joined at an earlier edge may be closed at a later edge.
 void CellWinding::join_open_lobes(Index count) {
     joined_to_.resize(count);
     std::iota(joined_to_.begin(), joined_to_.end(), Index{0});

@@ -23,9 +23,8 @@ struct FacesByVertex {
     std::vector<Index> begin, face;
 };
 
-// Groups the faces by their smallest vertex. `scratch`: one element for each face. Leaves out faces of cells that are
-// left out, and faces that collapsed to a line or a point, because such faces do not separate cells. All these faces
-// stay on the boundary.
+// Groups the faces by their smallest vertex. Skips faces of cells that are left out, and faces that collapsed to a line
+// or a point and so separate no cells. All these faces stay on the boundary. `scratch`: one element for each face.
 FacesByVertex group_faces(const InputFaces& input, std::span<const std::uint8_t> left_out, std::span<Index> scratch) {
     parallel_for(input.cell_count(), cells_per_task, [&](std::size_t first, std::size_t last) {
         std::vector<Index> loop;
@@ -117,8 +116,7 @@ void EqualFaces::for_groups(std::span<const Index> faces, Settle&& settle) {
     }
 }
 
-// Compares all faces with the first one, and repeats this with the faces that differ. One round is nearly always
-// enough, because faces with the same smallest vertex and fingerprint are nearly always equal.
+// One round is nearly always enough: faces with the same smallest vertex and fingerprint are nearly always equal.
 template <class Settle>
 void EqualFaces::compare_all(std::span<const Claim> claims, Settle&& settle) {
     left_.clear();
@@ -173,9 +171,8 @@ void Matcher::match(Index a, Index b) {
     result_.partner[b] = a;
 }
 
-// Makes adjacent cells agree on the direction of their common face. Each cell was wound outwards without regard to its
-// neighbors. Therefore two adjacent cells may disagree if a cell is folded, has no volume or touches itself. For the
-// topology, agreement is more important than positive volumes.
+// Each cell was wound outwards on its own. Therefore two adjacent cells may disagree about their common face if one is
+// folded, has no volume or touches itself. For the topology, agreement is more important than positive volumes.
 void Matcher::agree_across_faces() {
     std::vector<Index> conflicts;
     const auto disagree = [&](Index f) {
@@ -257,10 +254,9 @@ void Matcher::spread_from(Index start) {
     }
 }
 
-// Matches the faces of a group of more than two equal faces. A cell that collapsed to such a face has the face twice,
-// once per side. Such cells are put in a chain between the one or two cells that have the face once. The two faces
-// of each such cell, and the two single faces, must have opposite windings. In all other cases, the faces of the group
-// stay unmatched.
+// Matches more than two equal faces. A cell that collapsed to such a face has it twice, once per side. Such cells are
+// put in a chain between the one or two cells that have the face once. The two faces of each such cell, and the two
+// single faces, must have opposite windings. In all other cases, the faces of the group stay unmatched.
 void Matcher::settle_crowd(const std::vector<Index>& group) {
     std::vector<Index> single;
     std::vector<std::array<Index, 2>> folds;
@@ -289,8 +285,7 @@ void Matcher::settle_crowd(const std::vector<Index>& group) {
     if (single.size() == 2) match(open, single[1]);
 }
 
-// Returns the cells that may be repeated, ascending: cells with a face in crowds_, and cells whose first two matched
-// faces lead to the same cell.
+// Returns, ascending, cells with a face in crowds_ and cells whose first two matched faces lead to the same cell.
 std::vector<Index> Matcher::suspects() const {
     std::vector<Index> out;
     for (const auto& crowd : crowds_)

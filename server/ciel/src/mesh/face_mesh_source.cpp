@@ -10,7 +10,6 @@ FaceMeshSource::FaceMeshSource(const FaceMeshView& mesh) : mesh_(mesh) {
     faces_ = cell_faces(mesh);
 }
 
-// The faces that cells of the block own are consecutive in the mesh.
 void FaceMeshSource::copy_own(Index face_begin, Index face_end, FaceLoops& out) const {
     const auto offsets = mesh_.face_offset.unchecked().subspan(face_begin, std::size_t{face_end} - face_begin + 1);
     const std::uint64_t first = offsets.front(), most = mesh_.face_vertex.size();

@@ -17,8 +17,7 @@ Axes quantise(Vec3d unit) {
     return axes;
 }
 
-// Converts coordinates to Skilling's "transposed" index: bit b of the three words gives three consecutive bits of the
-// key.
+// Converts to Skilling's "transposed" index: bit b of the three words gives three consecutive bits of the key.
 void to_transposed(Axes& axes) {
     for (std::uint32_t q = 1U << (bits - 1); q > 1; q >>= 1) {
         const std::uint32_t below = q - 1;

@@ -55,7 +55,6 @@ private:
         if (out_.vertex.size() >= none) fail("a cell has more than 4,294,967,294 corners; leave it out");
         out_.begin.push_back(static_cast<Index>(out_.vertex.size()));
     }
-    // Lists the faces of the cell that earlier cells own.
     void list_others(Index cell) {
         others_.clear();
         cells_.for_faces(cell, [&](Index face, Index other) {
@@ -89,8 +88,7 @@ private:
             find(own, &OwnFace::other, owner, cell, face, [&](Index k) { read(owner, own[k].face, loop_); });
         return {first + i, not_listed, owner, own[i].face};
     }
-    // Returns the faces that the cell owns. Keeps the lists of large cells, because many cells of the block may share a
-    // face with the same large cell.
+    // Keeps the lists of large cells, because many cells of the block may share a face with the same large cell.
     [[nodiscard]] std::span<const OwnFace> own_faces(Index cell) {
         constexpr Index large = 64;
         if (cells_.own_begin[cell + 1] - cells_.own_begin[cell] < large) {

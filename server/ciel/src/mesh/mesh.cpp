@@ -25,8 +25,7 @@ namespace {
 // Returns the number of cells of a mesh whose last cell has this id. A negative id means no cell.
 std::size_t cells_with(std::int64_t last) { return last < 0 ? 0 : static_cast<std::size_t>(last) + 1; }
 
-// Replaces the indices of cells in PolyhedraLists by the caller's ids. They differ, because PolyhedraLists leaves out
-// cells without volume.
+// Cell indices in PolyhedraLists differ from the caller's ids, because the lists leave out cells without volume.
 void name_source_cells(const std::vector<Index>& source, AssembleReport& report) {
     const auto name = [&source](std::vector<Index>& ids) {
         for (Index& id : ids) id = source[id];

@@ -11,7 +11,6 @@
 namespace ciel::detail {
 namespace {
 
-// Returns `none` for an id that is negative or too large. assemble() reports such an id as out of range.
 Index id_of(const ArrayView& ids, std::size_t i) {
     const std::int64_t id = ids.integer(i);
     return id < 0 || id >= std::int64_t{none} ? none : static_cast<Index>(id);
@@ -144,8 +143,7 @@ void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex,
     check_ids(neighbour, "neighbour");
     if (face_offset.rows() != owner.rows() + 1) fail("face_offset must have one entry more than owner");
     if (neighbour.rows() > owner.rows()) fail("neighbour must not have more entries than owner");
-    // Limits the ids of cells, because the greatest id determines the size of an allocation. Each cell has at least one
-    // side of a face.
+    // Limits cell ids, because the greatest determines an allocation's size. Each cell has at least one side of a face.
     const auto sides_at_most = static_cast<std::int64_t>(2 * owner.rows());
     std::vector<std::uint64_t> begin(1);
     const auto sides = [&](auto&& visit) {

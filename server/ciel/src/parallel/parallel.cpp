@@ -57,8 +57,7 @@ void parallel_for(std::size_t count, std::size_t grain, LoopBody body) {
     if (count <= grain) return body(0, count);
     if (limit_of_call == 0) return run_on_threads(count, grain, body);
     if (limit_of_call == 1) return run_in_turn(count, grain, body);
-    // Loops that a body starts run on the thread of the body only. Several bodies may start loops at the same time, and
-    // all together must not exceed the limit.
+    // Loops that several bodies start must not exceed the limit together, so each runs on the thread of its body only.
     run_on_threads(count, grain, [&](std::size_t begin, std::size_t end) {
         const CallLimit alone(1);
         body(begin, end);

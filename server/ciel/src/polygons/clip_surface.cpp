@@ -54,8 +54,7 @@ private:
         out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
     }
 
-    // Returns the new vertex on the side between a kept and a removed vertex. Always interpolates from the kept end, so
-    // that both polygons of the side get the same bits.
+    // Always interpolates from the kept end, so that both polygons of the side get the same bits.
     Index crossing(Index from, Index to) {
         if (!keeps(from)) std::swap(from, to);
         const auto [known, is_new] =

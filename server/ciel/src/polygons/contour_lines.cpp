@@ -19,8 +19,7 @@ class PolygonContours {
 public:
     PolygonContours(const Surface& surface, std::span<const T> values) : surface_(surface), values_(values) {}
 
-    // Appends the segments in one polygon. Each segment leads from the side where the loop enters a run of high corners
-    // to the side where the loop leaves this run.
+    // Each segment leads from the side where the loop enters a run of high corners to the side where it leaves the run.
     void append(std::span<const Index> loop, double nu, std::vector<Vec3f>& out) const {
         const auto high = [&](std::size_t i) { return values_[loop[i % loop.size()]] >= nu; };
         for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -43,8 +42,7 @@ public:
     }
 
 private:
-    // Returns the point at nu on the side between two corners. Always interpolates from the lower index to the higher,
-    // so that both polygons of the side get the same bits.
+    // Interpolates from the lower index to the higher, so that both polygons of the side get the same bits.
     [[nodiscard]] Vec3f crossing(Index a, Index b, double nu) const {
         if (a > b) std::swap(a, b);
         const double t = share_at(nu, values_[a], values_[b]);

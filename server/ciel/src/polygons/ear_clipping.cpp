@@ -32,9 +32,8 @@ public:
         for (const Index i : members) member_[cursor[place(corners[i])]++] = i;
     }
 
-    // Returns whether wanted(corner) is true for any corner in the grid cells that touch the rectangle from `low` to
-    // `high`. Subtracts the number of visited grid cells and corners from `steps`; returns false when `steps` becomes
-    // negative.
+    // Returns whether wanted(corner) is true for any corner in the grid cells that touch the rectangle. Each visited
+    // grid cell and corner takes one of `steps`. Returns false when `steps` becomes negative.
     template <class Wanted>
     [[nodiscard]] bool any(const Point& low, const Point& high, std::int64_t& steps, Wanted&& wanted) const {
         for (std::size_t row = index(low, 1); row <= index(high, 1); ++row)
@@ -95,8 +94,7 @@ public:
     }
 
 private:
-    // Returns a grid of the corners that are not convex. If the triangle of a corner contains any other corner, it also
-    // contains a corner that is not convex.
+    // Has only non-convex corners: a triangle that contains any other corner also contains a corner that is not convex.
     [[nodiscard]] Grid grid_of_the_rest() const {
         std::vector<Index> members;
         for (Index i = 0; i < corners_.size(); ++i)

@@ -51,8 +51,7 @@ struct Fan {
     bool folds = false; // true if each tried fan has a reversed triangle of over 5 % of the mean area
 };
 
-// In a polygon of up to 127 corners, all corners are tried. In a larger polygon, only 64 to 96 evenly spaced corners
-// are tried, so that the time is linear.
+// Of at most 127 corners, all are tried. Of more, 64 to 96 evenly spaced corners are tried, so that the time is linear.
 constexpr std::size_t most_tried = 64;
 
 Fan best_fan(const Surface& surface, std::span<const Index> loop, const Vec3d& normal) {

@@ -156,8 +156,7 @@ private:
         return true;
     }
 
-    // Gives the faces of the patch the values of their cells. Used for boundary conditions without values in the file
-    // (zeroGradient, slip, symmetry).
+    // Used for boundary conditions without values in the file (zeroGradient, slip, symmetry).
     void copy_from_cells(std::size_t i, const FoamPatch& patch, double* to) const {
         const FoamPiece& piece = mesh_.pieces[i];
         const FoamValues& cells = fields_[i]->cells;

@@ -165,8 +165,7 @@ private:
         mesh_.points->SetData(coordinates);
     }
 
-    // Makes a polyhedron of each cell, with VTK's face stream: the number of faces, then for each face the number of
-    // points and the points, wound outwards.
+    // VTK's face stream: the number of faces, then for each face the number of points and the points, wound outwards.
     void make_cells() {
         vtkNew<vtkIdTypeArray> streams, locations, offsets, corner_ids;
         vtkNew<vtkUnsignedCharArray> types;
@@ -185,8 +184,7 @@ private:
         name_cells();
     }
 
-    // Sets the global ids of the cells to their ids before decomposition (cellProcAddressing), or to -1 if the
-    // processor has no such file.
+    // Global ids are the ids before decomposition (cellProcAddressing), or -1 if the processor has no such file.
     void name_cells() {
         const auto says = [](const FoamPieceFiles& files) { return !files.cell_addressing.empty(); };
         if (std::none_of(files_.begin(), files_.end(), says)) return;

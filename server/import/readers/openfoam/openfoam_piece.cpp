@@ -59,8 +59,7 @@ private:
                 fail("contains cell " + std::to_string(cell) + ", which is negative or too large");
             piece_.cell_count = std::max(piece_.cell_count, static_cast<std::size_t>(cell) + 1);
         }
-        // A closed cell has at least four faces, and at most two cells share a face, so a mesh has more faces than
-        // cells.
+        // A closed cell has at least four faces, and at most two cells share a face, so faces outnumber cells.
         if (piece_.cell_count > piece_.owner.size())
             fail("contains more cells than the mesh has faces; the file is damaged");
     }
