@@ -83,7 +83,7 @@ double weight_of(std::string_view coding) {
     return weight;
 }
 
-// The build of the web client names files with a content hash assets/NAME-HASH.EXT. HASH has 8 characters.
+// The build of the web client puts a content hash of 8 characters into the names of files: assets/NAME-HASH.EXT.
 bool is_hashed(const std::filesystem::path& relative) {
     const std::string stem = relative.stem().string();
     const auto dash = stem.size() < 9 ? std::string::npos : stem.size() - 9;

@@ -10,8 +10,8 @@
 
 namespace server::store {
 
-// Thread-safe. If another process rewrites the file, reads return other values. This is safe, because values are never
-// used as indices.
+// Thread-safe. If another process rewrites the file, a read returns other values or throws Error (checked_file.hpp).
+// Other values are safe, because values are never used as indices.
 class StoredScalar final : public ciel::ValueSource {
 public:
     // values: all components of `array`, for all items.

@@ -21,8 +21,8 @@ struct PieceJoins {
 // `cells`: the cells of `joined`, matched before any points are joined.
 [[nodiscard]] PieceJoins find_cut_between_pieces(const ciel::MatchedCells& cells, const JoinedMesh& joined);
 
-// Returns whether the two points of each pair are still the same at a later step. `pieces`: the members of the mesh
-// with the data of the later step.
+// Returns whether the two points of each pair are the same at a later step too: their GlobalNodeIds are equal, or else
+// their coordinates and values. `pieces`: the members of the mesh with the data of that step.
 [[nodiscard]] bool still_the_same(const PointPairs& points, const std::vector<JoinedMesh::Member>& pieces);
 
 } // namespace server::importer

@@ -133,8 +133,9 @@ HalfEdge Topology::mate_polyhedron(HalfEdge h) const {
     });
 }
 
-// An entry at a corner of a standard cell gives the half-edges of the cell that leave the corner. An entry at a corner
-// of a stored loop gives the half-edge along the loop, and then the half-edge against the loop.
+// Walks the vertex's list of entries (block.hpp). A corner of a standard cell gives the half-edges of the cell that
+// leave it. A corner of an inner face gives the half-edge along the stored loop, then the one against it. A corner of a
+// face with one side in the section gives only one of the two.
 HalfEdge Topology::next_around_vertex(HalfEdge h) const {
     const Blocks::Place at = blocks_->place_of(h);
     const Block& block = at.block;

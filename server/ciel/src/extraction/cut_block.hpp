@@ -1,4 +1,4 @@
-// Cuts one block at one nu: finds the active cells and runs the paper's Algorithm 4 in them.
+// Cuts one block at the iso-value nu: finds the active cells and runs the paper's Algorithm 4 in them.
 #pragma once
 
 #include "blocks/active_block.hpp"

@@ -27,7 +27,8 @@ void put_points(const ArrayView& points, PolyhedraLists& lists);
 
 // The following three functions append cells; call put_points before them. They throw Error when the sizes of arrays or
 // the offsets are not valid, or when a face or cell id is out of range. A vertex id that does not fit 32 bits becomes
-// `none`, which assemble() reports. VTK cells without volume are left out and counted in `skipped`.
+// `none`, which assemble() reports. put_vtk_cells leaves out cells without volume and convex
+// point sets, counts them in `skipped`, and throws Error for types that CIEL does not read.
 void put_polyhedra(const ArrayView& cell_offset, const ArrayView& face_offset, const ArrayView& face_vertex,
                    PolyhedraLists& lists);
 void put_owner_faces(const ArrayView& face_offset, const ArrayView& face_vertex, const ArrayView& owner,
