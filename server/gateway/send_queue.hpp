@@ -1,6 +1,6 @@
-// Send queue of one WebSocket. Texts are sent first, then frames in pieces. A newer frame of a view drops its frames that
-// still wait. Half of the byte limit is for frames, which wait when it is full. The other half is for texts; when texts
-// exceed it, the connection ends.
+// Send queue of one WebSocket. Texts are sent first, then frames in pieces. A newer frame of a view drops its frames
+// that still wait. Half of the byte limit is for frames, which wait when it is full. The other half is for texts; when
+// texts exceed it, the connection ends.
 #pragma once
 
 #include "limits/memory.hpp"
