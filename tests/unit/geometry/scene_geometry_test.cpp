@@ -269,8 +269,8 @@ TEST_P(scene_geometry, the_frame_borrows_and_draws_opaque_layers_first) {
     }
     EXPECT_EQ(frame.origin, shown->origin);
     EXPECT_EQ(frame.bounds_max[0], test::box_origin[0] + test::box_edge);
-    const auto lines =
-        std::find_if(frame.primitives.begin(), frame.primitives.end(), [](const auto& primitives) { return primitives.lines; });
+    const auto lines = std::find_if(frame.primitives.begin(), frame.primitives.end(),
+                                    [](const auto& primitives) { return primitives.lines; });
     ASSERT_NE(lines, frame.primitives.end());
     EXPECT_EQ(lines->indices.size(), 24U);
 }
