@@ -65,7 +65,7 @@ private:
     void use_look(const Frame& frame, const Primitives& primitives);
     void use_line(const Program& program, const Primitives& primitives, float factor) const;
     void assign_buffers(const Frame& frame);
-    [[nodiscard]] PrimitiveBuffers& buffers(std::size_t primitives) { return *slots_[primitives]; }
+    [[nodiscard]] PrimitiveBuffers& buffers(std::size_t index) { return *slots_[index]; }
 
     Gl gl_;
     Pacing pacing_;
