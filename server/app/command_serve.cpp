@@ -47,8 +47,9 @@ struct ServeOptions {
 std::vector<importing::Servable> import_what_is_foreign(const ServeOptions& options) {
     ImportView view(stderr); // stdout is only for print_address()
     CancelOnSignal signals;
-    auto servable =
-        importing::import_missing(options.data, options.import_folder, {}, view.listener(), signals.cancelled());
+    auto servable = importing::import_missing(options.data, options.import_folder,
+                                              importing::import_limits_of_server(options.limits), view.listener(),
+                                              signals.cancelled());
     view.clear();
     signals.end();
     const auto failed = [](const importing::Servable& each) { return !each.problem.empty(); };
@@ -157,11 +158,11 @@ int serve(ServeOptions& options) {
     for (const auto& path : server_options.data) warn_of_files_to_import(path);
     server_options.late_folder = late_folder_in(options.import_folder);
     store::remove_forgotten_late_files(server_options.late_folder);
-    server_options.read_late_step = [folder = server_options.late_folder](const store::Dataset& dataset,
-                                                                          std::size_t step,
-                                                                          const std::atomic<bool>& cancel) {
-        return importing::read_late_step(dataset, step, folder, cancel);
-    };
+    server_options.read_late_step =
+        [folder = server_options.late_folder, limits = importing::import_limits_of_server(options.limits)](
+            const store::Dataset& dataset, std::size_t step, const std::atomic<bool>& cancel) {
+            return importing::read_late_step(dataset, step, folder, limits, cancel);
+        };
     engine::Server server(std::move(server_options));
     add_failed(server, servable);
     options.gateway.version = CIEL_VERSION;

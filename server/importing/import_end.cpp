@@ -4,6 +4,7 @@
 #include <array>
 #include <csignal>
 #include <cstring>
+#include <iomanip>
 #include <sstream>
 
 namespace server::importing {
@@ -11,8 +12,10 @@ namespace {
 
 std::string number(double value) {
     std::ostringstream text;
-    text.precision(3);
-    text << value;
+    if (value >= 1000)
+        text << std::fixed << std::setprecision(0) << value;
+    else
+        text << std::setprecision(3) << value;
     return text.str();
 }
 
@@ -50,9 +53,8 @@ std::string describe_memory(const std::string& input, const ImportLimits& limits
                "than it holds" +
                outcome;
     return input + ": the memory limit of " + number(limits.memory_gigabytes) +
-           " GB was reached; raise the limit with --memory-limit (0: none), unless the file is damaged and declares "
-           "more data than it holds" +
-           outcome;
+           " GB was reached; raise the limit with " + limits.memory_option +
+           ", unless the file is damaged and declares more data than it holds" + outcome;
 }
 
 std::string describe_signal(int signal, const std::string& input, const ImportLimits& limits,
@@ -60,8 +62,8 @@ std::string describe_signal(int signal, const std::string& input, const ImportLi
     if (signal == SIGKILL)
         return input +
                ": the import was killed from outside, most likely because the machine ran out of memory, and the file "
-               "may be sound. Free some memory, or set a lower --memory-limit to get an error instead" +
-               outcome;
+               "may be sound. Free some memory, or set a lower " +
+               limits.memory_option + " to get an error instead" + outcome;
     if (signal == SIGBUS)
         return input +
                ": a file became shorter while the import used it, or a disk failed. Check both disks, that of the "
@@ -69,7 +71,8 @@ std::string describe_signal(int signal, const std::string& input, const ImportLi
                outcome;
     std::string sentence = input + ": the reader crashed (" + ::strsignal(signal) + "): the file is damaged";
     if (limits.memory_gigabytes > 0)
-        sentence += ", or the import needs more than the " + number(limits.memory_gigabytes) + " GB of --memory-limit";
+        sentence +=
+            ", or the import needs more than the " + number(limits.memory_gigabytes) + " GB of " + limits.memory_option;
     return sentence + outcome;
 }
 
@@ -86,7 +89,7 @@ std::string describe_end(const processes::ChildEnd& end, const ImportValues& val
                " s and was stopped; raise --time-limit (0: none)" + outcome;
     if (end.stalled)
         return input + ": the import made no progress for " + number(limits.stalled_seconds) +
-               " s and was stopped: the file is damaged, or the import needs a longer --stall-limit (0: none)" +
+               " s and was stopped: the file is damaged, or the import needs a longer " + limits.stalled_option +
                outcome;
     const Words last = last_words(end.errors);
     if (ran_out_of_memory(end, last)) return describe_memory(input, limits, outcome);

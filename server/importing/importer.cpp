@@ -2,7 +2,6 @@
 
 #include "ciel/types.hpp"
 #include "importing/import_end.hpp"
-#include "limits/machine_memory.hpp"
 #include "processes/child_process.hpp"
 #include "store/new_dataset_directory.hpp"
 
@@ -16,7 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 constexpr const char* program = "ciel-import";
 constexpr double gigabyte = 1e9;
-constexpr double default_share = 0.8; // share of the machine's memory
 
 std::vector<std::string> command_line(const ImportValues& values) {
     std::vector<std::string> arguments{find_import_program().string()};
@@ -65,7 +63,16 @@ fs::path find_import_program() {
         "-DCIEL_IMPORT=ON and VTK 9");
 }
 
-double default_memory_gigabytes() { return default_share * static_cast<double>(limits::machine_memory()) / gigabyte; }
+ImportLimits::ImportLimits(const limits::Limits& of_server)
+    : memory_gigabytes(static_cast<double>(of_server.import_memory_bytes) / gigabyte),
+      stalled_seconds(static_cast<double>(of_server.import_stalled_seconds)) {}
+
+ImportLimits import_limits_of_server(const limits::Limits& limits) {
+    ImportLimits result(limits);
+    result.memory_option = "--limit-import-memory-bytes";
+    result.stalled_option = "--limit-import-stalled-seconds";
+    return result;
+}
 
 ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, const ImportListener& listener,
                      const std::atomic<bool>& cancel) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "importing/import_options.hpp"
+#include "limits/limits.hpp"
 
 #include <atomic>
 #include <filesystem>
@@ -10,16 +11,20 @@
 
 namespace server::importing {
 
-// Returns four fifths of machine_memory(), in GB. With this limit, a damaged file cannot exhaust the memory.
-[[nodiscard]] double default_memory_gigabytes();
-
+// The defaults are those of a server. With the limit of the memory, a damaged file cannot exhaust it.
 struct ImportLimits { // 0: no limit
-    double memory_gigabytes = default_memory_gigabytes();
+    ImportLimits() : ImportLimits(limits::Limits()) {}
+    explicit ImportLimits(const limits::Limits& of_server);
+
+    double memory_gigabytes;
     double seconds = 0;
-    // Longest time without progress, in seconds. A valid import makes no progress for the longest time while it builds
-    // a huge mesh.
-    double stalled_seconds = 1800;
+    double stalled_seconds;                       // longest time without progress
+    std::string memory_option = "--memory-limit"; // the options that errors name
+    std::string stalled_option = "--stall-limit";
 };
+
+// Returns the limits of imports that a server starts.
+[[nodiscard]] ImportLimits import_limits_of_server(const limits::Limits& limits);
 
 struct ImportListener {
     std::function<void(double share, const std::string& phase)> progress; // share in [0, 1]

@@ -1,6 +1,7 @@
 // Reads the late arrays of a step from the source of an import.
 #pragma once
 
+#include "importing/importer.hpp"
 #include "store/dataset.hpp"
 
 #include <atomic>
@@ -13,6 +14,7 @@ namespace server::importing {
 // Returns the error sentence without the names of folders; empty on success. If no array of the step is late any more,
 // waits for 0.2 s instead. Ends soon after `cancel` is set. Thread-safe.
 [[nodiscard]] std::string read_late_step(const store::Dataset& dataset, std::size_t step,
-                                         const std::filesystem::path& folder, const std::atomic<bool>& cancel);
+                                         const std::filesystem::path& folder, const ImportLimits& limits,
+                                         const std::atomic<bool>& cancel);
 
 } // namespace server::importing

@@ -43,6 +43,9 @@ struct Limits {
     std::uint64_t slow_calls_waiting = 64;
     std::uint64_t slow_calls_of_connection = 16;
     std::uint64_t late_step_seconds = 60;
+    std::uint64_t import_memory_bytes = memory_share(80);
+    // A valid import makes no progress for the longest time while it builds a huge mesh.
+    std::uint64_t import_stalled_seconds = 1800;
     std::uint64_t field_cache_bytes = memory_share(20);
     std::uint64_t dataset_memory_bytes = memory_share(40);
     std::uint64_t dataset_idle_seconds = 600;

@@ -284,6 +284,18 @@ def test_one_bad_file_does_not_take_the_others_with_it(box, tmp_path):
     assert status == 1 and "bad.vtu" in text.splitlines()[-1]
 
 
+def test_the_memory_of_imports_is_a_limit_of_the_server(box, tmp_path):
+    points = 1_500_000
+    (tmp_path / "large.vtk").write_text(f"# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {points} float\n"
+                                       + "0 0 0\n" * points + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")
+    limit = ("--limit-import-memory-bytes", "32M", "--limit-import-stalled-seconds", "600")
+    with Server(box, tmp_path / "large.vtk", "--data-dir", tmp_path / "imported", *limit) as running:
+        problem = {entry["name"]: entry["problem"] for entry in running.call("dataset.list")}["large"]
+        assert "large.vtk: the memory limit of 0.0336 GB was reached; raise the limit with --limit-import-memory-bytes" in problem
+        limits = running.call("server.info")["limits"]
+        assert (limits["import_memory_bytes"], limits["import_stalled_seconds"]) == (32 << 20, 600)
+
+
 def test_a_folder_that_cannot_hold_an_import_is_not_told(box, tmp_path):
     imported = tmp_path / "imported"
     (tmp_path / "good.vtk").write_text(TETRAHEDRON)

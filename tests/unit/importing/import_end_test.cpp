@@ -38,5 +38,24 @@ TEST(ImportEnd, OfLateStepsKeepsThoseThatWereRead) {
     }
 }
 
+TEST(ImportEnd, NamesTheOptionThatCanBeGiven) {
+    processes::ChildEnd out_of_memory, stalled;
+    out_of_memory.exit_code = import_out_of_memory;
+    stalled.stalled = true;
+    const ImportValues values{{"inputs", {"box.vtu"}}};
+    EXPECT_THAT(describe_end(out_of_memory, values, {}), HasSubstr("raise the limit with --memory-limit"));
+    EXPECT_THAT(describe_end(stalled, values, {}), HasSubstr("no progress for 1800 s and was stopped"));
+    EXPECT_THAT(describe_end(stalled, values, {}), HasSubstr("a longer --stall-limit"));
+
+    limits::Limits of_server;
+    of_server.import_memory_bytes = 3'000'000'000;
+    of_server.import_stalled_seconds = 7;
+    const ImportLimits limits = import_limits_of_server(of_server);
+    EXPECT_THAT(describe_end(out_of_memory, values, limits),
+                HasSubstr("limit of 3 GB was reached; raise the limit with --limit-import-memory-bytes"));
+    EXPECT_THAT(describe_end(stalled, values, limits), HasSubstr("no progress for 7 s and was stopped"));
+    EXPECT_THAT(describe_end(stalled, values, limits), HasSubstr("a longer --limit-import-stalled-seconds"));
+}
+
 } // namespace
 } // namespace server::importing

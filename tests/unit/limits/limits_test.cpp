@@ -39,6 +39,8 @@ TEST(Limits, what_a_server_without_options_grants) {
     EXPECT_EQ(limits.upload_piece_bytes, 512U << 10);
     EXPECT_EQ(limits.upload_idle_seconds, 60U);
     EXPECT_EQ(limits.late_step_seconds, 60U);
+    EXPECT_EQ(limits.import_memory_bytes, machine_memory() / 100 * 80);
+    EXPECT_EQ(limits.import_stalled_seconds, 1800U);
     EXPECT_EQ(limits.hang_seconds, 60U);
     EXPECT_EQ(limits.drain_seconds, 1U);
 }
