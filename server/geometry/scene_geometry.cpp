@@ -87,7 +87,7 @@ std::shared_ptr<const Geometry> SceneGeometry::update(const scene::CheckedScene&
         if (!layer.visible) continue;
         tell();
         const auto make = [&](const auto& kind) { return run(layer, kind); };
-        if (!std::visit(make, layer.kind)) return nullptr;
+        if (!dataset->naming_changed_file([&] { return std::visit(make, layer.kind); })) return nullptr;
         ++done;
     }
     tell();

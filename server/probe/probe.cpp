@@ -53,7 +53,7 @@ void probe_array(const store::Dataset& dataset, std::size_t step, const store::A
 Probed probe(const store::Dataset& dataset, std::size_t step, const ciel::CellLocator& locator, ciel::Vec3d position) {
     Probed out;
     out.position = position;
-    const ciel::Index cell = locator.cell_at(position);
+    const ciel::Index cell = dataset.naming_changed_file([&] { return locator.cell_at(position); });
     dataset.check_intact();
     if (cell == ciel::none) return out;
     const std::size_t mesh = dataset.steps()[step].mesh;

@@ -1,6 +1,7 @@
 #include "store/dataset.hpp"
 
 #include "store/cache/chunk_cache.hpp"
+#include "store/cache/loss_check.hpp"
 #include "store/cache/mapped_mesh.hpp"
 #include "store/cache/stored_array.hpp"
 #include "store/files/files.hpp"
@@ -28,10 +29,9 @@ public:
     MappedDataset(fs::path directory, Documents documents, LackingRanges lacking, FileAccess access,
                   const fs::path& late_folder, const MappedDataset* before)
         : directory_(std::move(directory)), info_(std::move(documents.info)), marker_(std::move(documents.marker)),
-          late_folder_(late_folder), late_files_(directory_, late_folder, info_.id),
-          late_changes_(late_files_.changes()), access_(access) {
+          losses_(before != nullptr ? before->losses_ : no_losses()), late_folder_(late_folder),
+          late_files_(directory_, late_folder, info_.id), late_changes_(late_files_.changes()), access_(access) {
         if (before != nullptr) {
-            losses_ = before->losses_;
             chunks_ = before->chunks_;
             meshes_ = before->meshes_;
         }
@@ -73,11 +73,10 @@ public:
     }
 
     void check_intact() const override {
-        const std::uint32_t losses = *losses_;
-        if (losses == losses_let_go_) return;
-        for (const auto& mesh : meshes_) mesh->check_intact();
-        chunks_->check_intact();
-        losses_let_go_ = losses; // these losses are of files that are no longer mapped
+        loss_check_([this] {
+            for (const auto& mesh : meshes_) mesh->check_intact();
+            chunks_->check_intact();
+        });
     }
 
     void check_unchanged() const override {
@@ -88,13 +87,7 @@ public:
     const MeshArrays& mesh_arrays() const override { return *this; }
     ciel::FaceMeshView all_faces(std::size_t mesh, std::size_t coordinates) const override {
         const ciel::FaceMeshView view = points(mesh, coordinates);
-        try {
-            return at(mesh)->all_faces(view);
-        } catch (const ciel::Error&) {
-            // The kernel's error names no file. If a file has changed, check_unchanged throws an error that names it.
-            check_unchanged();
-            throw;
-        }
+        return naming_changed_file([&] { return at(mesh)->all_faces(view); });
     }
     ciel::FaceMeshView points(std::size_t mesh, std::size_t coordinates) const override {
         const Values all = positions(mesh, coordinates);
@@ -418,8 +411,8 @@ private:
     std::vector<ArrayLayout> positions_;                         // per mesh
     std::vector<std::vector<std::string>> coordinate_checksums_; // per mesh, per coordinate set
     std::vector<std::map<std::string, ArrayLayout>> layouts_;    // per mesh, by array name
-    LossCount losses_ = no_losses();                       // shared with refreshed versions, like the mapped files
-    mutable std::atomic<std::uint32_t> losses_let_go_ = 0; // losses of mappings that no longer exist
+    LossCount losses_; // shared with refreshed versions, like the mapped files
+    LossCheck loss_check_{losses_};
     mutable std::mutex loaders_mutex_;
     // Key: mesh, coordinate set.
     mutable std::map<std::pair<std::size_t, std::size_t>, std::weak_ptr<const PositionsLoader>> loaders_;

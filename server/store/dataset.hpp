@@ -68,6 +68,17 @@ public:
     virtual void verify() const = 0;
     // Like check_intact, but first calls stat for each topology file to detect changes.
     virtual void check_unchanged() const = 0;
+    // Returns read(). The kernel's error about a record that changed names no file. If read() throws Error and a
+    // topology file has changed, throws the error of check_unchanged, which names the file.
+    template <typename Read>
+    auto naming_changed_file(const Read& read) const {
+        try {
+            return read();
+        } catch (const ciel::Error&) {
+            check_unchanged();
+            throw;
+        }
+    }
 
     // Size of copied values and positions; 0 with FileAccess::mapped.
     [[nodiscard]] virtual std::size_t memory_bytes() const = 0;

@@ -302,5 +302,29 @@ TEST(lost_files, are_of_one_dataset) {
               "");
 }
 
+// The watch has not noticed the change yet, and the kernel's error names no file.
+TEST(changed_records, are_named_by_their_file) {
+    const Folder folder;
+    EXPECT_EQ(in_child([&]() -> std::string {
+                  const fs::path directory = folder / "kinds.ciel", record = "meshes/0/blocks/cells/0";
+                  datasets[0].write(directory);
+                  const auto opened = store::Dataset::open(directory);
+                  const auto told = [&]() -> std::string {
+                      try {
+                          opened->naming_changed_file([] { fail("of the kernel"); });
+                      } catch (const Error& error) {
+                          return error.what();
+                      }
+                      return "nothing";
+                  };
+                  (void)opened->topology(0).record(0, RecordKind::cells); // reads and checks the record
+                  if (told() != "of the kernel") return "before the change: " + told();
+                  std::this_thread::sleep_for(std::chrono::milliseconds(20)); // so that the file's time differs
+                  damage(directory / record, Damage::ones, 1);
+                  return told().find(named(record)) != std::string::npos ? "" : "told: " + told();
+              }),
+              "");
+}
+
 } // namespace
 } // namespace ciel::test
