@@ -98,14 +98,20 @@ void client_of_a_slow_call() {
     std::_Exit(as_expected);
 }
 
-// With the default of one second the picture may not be abandoned in time; the process then exits with 0.
+// With the default of one second the picture may not be abandoned in time; the process then exits with 0. A server that
+// waited for the picture would send it, or nothing for longer than the client reads.
 void client_of_a_slow_call_by_default() {
-    std::optional<Stopping> stopping(std::in_place, 1U);
-    HandMade busy(*stopping->server);
+    Stopping stopping(1);
+    HandMade busy(*stopping.server);
     busy.send_frame(text, heavy_picture);
-    stopping->wait_until_drawing();
-    stopping->server.reset();
-    std::_Exit(0);
+    stopping.wait_until_drawing();
+    Stopping::signal();
+    expect_order(busy, {"text"}); // the notification server.draining
+    std::string last, got;
+    while ((got = next(busy, &last)) == "text")
+        if (last.find("about to stop") == std::string::npos) std::_Exit(1);
+    stopping.server->wait();
+    std::_Exit(got == "close 1001" ? 0 : 1);
 }
 
 void client_that_does_not_read() {
