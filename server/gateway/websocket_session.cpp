@@ -110,6 +110,7 @@ asio::awaitable<bool> WebSocketSession::accept(HttpRequest upgrade) {
     socket_.auto_fragment(false); // writes each message as one WebSocket frame, without a copy
     error_code error;
     co_await socket_.async_accept(upgrade, asio::redirect_error(asio::use_awaitable, error));
+    if (!error) ++state_.counters.responses[1]; // the 101
     co_return !error;
 }
 

@@ -1,5 +1,6 @@
 """`ciel serve` over HTTP, for browsers, scripts, proxies and health checks."""
 
+import asyncio
 import re
 
 import pytest
@@ -170,6 +171,12 @@ SAMPLE = re.compile(r'^([a-zA-Z_:][a-zA-Z0-9_:]*)(\{(?:[a-zA-Z_][a-zA-Z0-9_]*="(
 
 def test_metrics_are_prometheus_text(server):
     server.get("/nothing")
+
+    async def connect():
+        async with server.socket():
+            pass
+
+    asyncio.run(connect())
     answer = server.get("/metrics")
     assert answer.headers["Content-Type"].startswith("text/plain; version=0.0.4")
     assert answer.text.endswith("\n")
@@ -193,5 +200,7 @@ def test_metrics_are_prometheus_text(server):
             assert types[family] != "counter" or name.endswith("_total"), line
             assert (name, labels) not in seen, line
             seen.add((name, labels))
-    assert server.metrics()['ciel_gateway_responses_total{status="4xx"}'] >= 1
+    metrics = server.metrics()
+    assert metrics['ciel_gateway_responses_total{status="4xx"}'] >= 1
+    assert metrics['ciel_gateway_responses_total{status="1xx"}'] >= 1
     assert types["ciel_gateway_websockets_open"] == "gauge"
