@@ -112,17 +112,47 @@ void for_corners_of_cells(const Block& block, std::vector<Index>& seen, F&& f) {
     });
 }
 
-// Reads the faces of one cell. Leaves `loops` empty if the block does not have the cell.
-inline void read_loops(const Block& block, Index local_cell, CellLoops& loops) {
+// Calls f(section, index of the cell in the section), unless the block does not have the cell.
+template <class F>
+void with_cell(const Block& block, Index local_cell, F&& f) {
     const auto find_in = [&](const auto& section) {
         const auto cells = section.cell;
         const Index i = cells.empty() ? local_cell
                                       : static_cast<Index>(std::ranges::lower_bound(cells, local_cell) - cells.begin());
-        if (i < section.count() && section.local_cell(i) == local_cell) read_loops(block, section, i, loops);
+        if (i < section.count() && section.local_cell(i) == local_cell) f(section, i);
     };
-    loops.clear();
     for (const StandardSection& section : block.standard) find_in(section);
     block.with(find_in);
+}
+
+// Reads the faces of one cell. Leaves `loops` empty if the block does not have the cell.
+inline void read_loops(const Block& block, Index local_cell, CellLoops& loops) {
+    loops.clear();
+    with_cell(block, local_cell, [&](const auto& section, Index i) { read_loops(block, section, i, loops); });
+}
+
+template <class F>
+void for_corners(const Block& block, const StandardSection& section, Index i, F&& f) {
+    for (std::size_t c = 0; c < section.shape->corners; ++c)
+        f(block.vertex(read_once(section.vertex[i * section.shape->corners + c])));
+}
+
+template <class Local, template <class> class Array, class F>
+void for_corners(const Block& block, const PolyhedralSection<Local, Array>& section, Index i, F&& f) {
+    std::size_t corners = 0;
+    for (const Local& entry : section.faces_of(i)) {
+        const auto loop = corners_of_face(section, Index{read_once(entry)} / 2);
+        corners += loop.size();
+        if (corners > section.half_edge_count()) refuse_changed("a cell has more corners than its block");
+        for (Index corner = loop.begin; corner < loop.end; ++corner) f(block.vertex(read_once(section.vertex[corner])));
+    }
+}
+
+// Calls f(mesh-wide vertex id) for each vertex of one cell; for a vertex of a polyhedron, once for each face that has
+// it. Calls nothing if the block does not have the cell. Throws Error if a changed record has too many corners.
+template <class F>
+void for_corners_of_cell(const Block& block, Index local_cell, F&& f) {
+    with_cell(block, local_cell, [&](const auto& section, Index i) { for_corners(block, section, i, f); });
 }
 
 } // namespace ciel::detail

@@ -10,13 +10,14 @@
 
 namespace ciel {
 
-using detail::append_without_repeats;
-using detail::CellLoops;
-using detail::for_cells;
+using namespace detail;
 
 namespace {
 
-bool is_ambiguous(std::span<const Index> loop, ValuesView values) {
+// Values: a span or ValuesView.
+template <class Values>
+bool is_ambiguous(std::span<const Index> loop, const Values& values) {
+    if (loop.size() < 4) return false; // two maxima are not neighbors of each other
     const auto above = [&](Index a, Index b) { return values[a] != values[b] ? values[a] > values[b] : a > b; };
     int maxima = 0;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -26,6 +27,38 @@ bool is_ambiguous(std::span<const Index> loop, ValuesView values) {
         if (above(here, before) && above(here, after)) ++maxima;
     }
     return maxima > 1;
+}
+
+// Return the number of ambiguous faces; a face between two cells of a PolyhedralSection counts twice.
+template <class Values>
+std::uint64_t count_in(const Block& block, const StandardSection& section, const Values& values) {
+    const StandardShape& shape = *section.shape;
+    if (shape.type == CellType::tetrahedron) return 0;
+    std::uint64_t found = 0;
+    for (Index i = 0; i < section.count(); ++i)
+        for (std::size_t face = 0; face < shape.faces; ++face) {
+            if (shape.face_size(face) != 4) continue;
+            std::array<Index, 4> loop;
+            for (std::size_t c = 0; c < loop.size(); ++c) {
+                const std::size_t corner = shape.origin[shape.face_begin[face] + c];
+                loop[c] = block.vertex(read_once(section.vertex[i * shape.corners + corner]));
+            }
+            found += is_ambiguous(loop, values) ? 1 : 0;
+        }
+    return found;
+}
+
+template <class Local, template <class> class Array, class Values>
+std::uint64_t count_in(const Block& block, const PolyhedralSection<Local, Array>& section, const Values& values) {
+    std::vector<Index> loop;
+    std::uint64_t found = 0;
+    for (Index face = 0, corner = 0; face < section.face_count(); ++face) {
+        loop.clear();
+        for (const Index end = corners_of_face(section, face).end; corner < end; ++corner)
+            loop.push_back(block.vertex(read_once(section.vertex[corner])));
+        if (is_ambiguous(loop, values)) found += face < section.inner_faces ? 2 : 1;
+    }
+    return found;
 }
 
 } // namespace
@@ -38,18 +71,12 @@ std::uint64_t count_ambiguous_faces(const Topology& topology, const FaceMeshView
     // Every face is counted twice: inner faces from both cells, boundary faces here and in the loop over `boundary`.
     std::atomic<std::uint64_t> sides{0};
     parallel_for(blocks.count(), 4, [&](std::size_t begin, std::size_t end) {
-        CellLoops loops;
-        std::vector<Index> loop;
-        std::uint64_t found = 0;
         for (auto b = static_cast<Index>(begin); b < end; ++b)
-            for_cells(blocks.cells(b), loops, [&](Index, const CellLoops& of_cell) {
-                for (std::size_t face = 0; face < of_cell.count(); ++face) {
-                    loop.clear();
-                    append_without_repeats(of_cell.face(face), loop);
-                    found += is_ambiguous(loop, values) ? 1 : 0;
-                }
+            values.with([&](const auto& typed) {
+                const Block& block = blocks.cells(b);
+                for (const StandardSection& section : block.standard) sides += count_in(block, section, typed);
+                block.with([&](const auto& section) { sides += count_in(block, section, typed); });
             });
-        sides += found;
     });
     std::vector<Index> loop;
     for (Index face = 0; face < boundary.face_count(); ++face) {

@@ -2,7 +2,6 @@
 
 #include "blocks/blocks.hpp"
 #include "blocks/cell_loops.hpp"
-#include "ciel/of_this_thread.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +20,15 @@ std::array<float, 2> CellLimits::of(Index cell, std::span<const float> values) {
         cell_begin_ = blocks.numbers.cell[block_];
         cell_end_ = blocks.numbers.cell[block_ + 1];
     }
-    CellLoops& loops = of_this_thread<CellLoops>();
-    read_loops(blocks.cells(block_), cell - cell_begin_, loops);
-    std::array<float, 2> range = no_limits;
-    for (const Index vertex : loops.vertex) {
+    auto [low, high] = no_limits;
+    bool is_finite = true;
+    for_corners_of_cell(blocks.cells(block_), cell - cell_begin_, [&](Index vertex) {
         const float value = values[vertex];
-        if (!std::isfinite(value)) return no_limits;
-        range = {std::min(range[0], value), std::max(range[1], value)};
-    }
-    return range;
+        is_finite = is_finite && std::isfinite(value);
+        low = std::min(low, value);
+        high = std::max(high, value);
+    });
+    return is_finite ? std::array{low, high} : no_limits;
 }
 
 } // namespace ciel
