@@ -73,11 +73,14 @@ void read_late_step(const scene::Scene& scene, store::LoadedDataset& loaded) {
     if (dataset->late_chunks(step).empty()) return;
     ImportView view(stderr);
     const CancelOnSignal signals;
+    importing::ImportLimits limits;
+    limits.memory_option += " of 'ciel import'";
+    limits.stalled_option += " of 'ciel import'";
     const importing::ImportEnd end =
         importing::run_import({{"inputs", {dataset->directory().string()}},
                                {"step", {std::to_string(step)}},
                                {"late-folder", {late_folder_in(default_import_folder()).string()}}},
-                              {}, view.listener(), signals.cancelled());
+                              limits, view.listener(), signals.cancelled());
     view.clear();
     if (!end.problem.empty()) throw ciel::Error(end.problem);
     (void)loaded.refresh();

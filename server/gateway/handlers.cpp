@@ -34,7 +34,7 @@ std::string gateway_metrics(GatewayState& state) {
                     "counter", counters.frames_dropped);
     text += counter("ciel_gateway_websocket_sent_bytes_total", "Bytes sent over WebSockets.", "counter",
                     counters.bytes_sent);
-    text += "# HELP ciel_gateway_responses_total HTTP responses by class of status.\n"
+    text += "# HELP ciel_gateway_responses_total HTTP responses by class of status; 1xx: opened WebSockets.\n"
             "# TYPE ciel_gateway_responses_total counter\n";
     for (std::size_t i = 1; i < counters.responses.size(); ++i)
         text += "ciel_gateway_responses_total{status=\"" + std::to_string(i) + "xx\"} " +

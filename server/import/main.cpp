@@ -9,6 +9,7 @@
 #include "import/readers/open_source.hpp"
 #include "import/readers/vtk_errors.hpp"
 #include "importing/import_options.hpp"
+#include "store/files/files.hpp"
 #include "store/new_dataset_directory.hpp"
 #include "store/rewrite.hpp"
 
@@ -19,7 +20,6 @@
 #include <exception>
 #include <filesystem>
 #include <malloc.h>
-#include <new>
 #include <system_error>
 
 namespace {
@@ -182,14 +182,6 @@ std::string naming_input(const Options& options, const std::string& sentence) {
     return named ? sentence : options.inputs.front() + ": " + sentence;
 }
 
-// std::system_error: a thread could not be started.
-bool is_out_of_memory(const std::exception& error) {
-    if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return true;
-    const auto* failed = dynamic_cast<const std::system_error*>(&error);
-    return failed != nullptr && (failed->code() == std::errc::not_enough_memory ||
-                                 failed->code() == std::errc::resource_unavailable_try_again);
-}
-
 int run_and_report(const Options& options) {
     const std::string& input = options.inputs.front();
     try {
@@ -199,7 +191,7 @@ int run_and_report(const Options& options) {
     } catch (const ciel::Error& error) {
         return fail(naming_input(options, error.what()));
     } catch (const std::exception& error) {
-        if (is_out_of_memory(error))
+        if (server::store::is_out_of_memory(error))
             return fail(input + ": the import needs more memory than it may use; raise --memory-limit", out_of_memory);
         return fail(input + ": cannot be imported: " + error.what());
     }

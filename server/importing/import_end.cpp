@@ -12,7 +12,7 @@ namespace {
 
 std::string number(double value) {
     std::ostringstream text;
-    if (value >= 1000)
+    if (value >= 999.5) // three digits would become 1e+03
         text << std::fixed << std::setprecision(0) << value;
     else
         text << std::setprecision(3) << value;
@@ -40,8 +40,12 @@ Words last_words(const std::string& errors) {
 bool ran_out_of_memory(const processes::ChildEnd& end, const Words& last) {
     if (end.exit_code == import_out_of_memory) return true;
     if (!last.own.empty()) return false;
-    constexpr std::array<const char*, 5> words{"failed to map segment", "annot allocate memory", "std::bad_alloc",
-                                               "cannot create shared object descriptor", "out of memory"};
+    constexpr std::array words{"failed to map segment",
+                               "cannot map zero-fill pages",
+                               "annot allocate memory",
+                               "std::bad_alloc",
+                               "cannot create shared object descriptor",
+                               "out of memory"};
     return std::any_of(words.begin(), words.end(),
                        [&](const char* word) { return end.errors.find(word) != std::string::npos; });
 }

@@ -63,12 +63,14 @@ fs::path find_import_program() {
         "-DCIEL_IMPORT=ON and VTK 9");
 }
 
-ImportLimits::ImportLimits(const limits::Limits& of_server)
-    : memory_gigabytes(static_cast<double>(of_server.import_memory_bytes) / gigabyte),
-      stalled_seconds(static_cast<double>(of_server.import_stalled_seconds)) {}
+ImportLimits::ImportLimits()
+    : memory_gigabytes(static_cast<double>(limits::Limits().import_memory_bytes) / gigabyte),
+      stalled_seconds(static_cast<double>(limits::Limits().import_stalled_seconds)) {}
 
 ImportLimits import_limits_of_server(const limits::Limits& limits) {
-    ImportLimits result(limits);
+    ImportLimits result;
+    result.memory_gigabytes = static_cast<double>(limits.import_memory_bytes) / gigabyte;
+    result.stalled_seconds = static_cast<double>(limits.import_stalled_seconds);
     result.memory_option = "--limit-import-memory-bytes";
     result.stalled_option = "--limit-import-stalled-seconds";
     return result;

@@ -11,10 +11,10 @@
 
 namespace server::importing {
 
-// The defaults are those of a server. With the limit of the memory, a damaged file cannot exhaust it.
-struct ImportLimits { // 0: no limit
-    ImportLimits() : ImportLimits(limits::Limits()) {}
-    explicit ImportLimits(const limits::Limits& of_server);
+// By default, the numbers are those of limits::Limits, and the options are those of `ciel import`. With a limit of the
+// memory, a damaged file cannot exhaust it.
+struct ImportLimits { // a number of 0 is no limit
+    ImportLimits();
 
     double memory_gigabytes;
     double seconds = 0;

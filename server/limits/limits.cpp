@@ -56,7 +56,7 @@ constexpr auto rows = std::to_array<LimitRow>({
     {"late_step_seconds", &Limits::late_step_seconds, Unit::seconds,
      "time that a slow call waits for a step that is read from its source", most_seconds},
     {"import_memory_bytes", &Limits::import_memory_bytes, Unit::memory,
-     "memory of one import that the server starts; not counted in memory_bytes", most_bytes, 32 << 20},
+     "memory of one import that the server starts; not counted in memory_bytes", most_bytes, 8 << 20},
     {"import_stalled_seconds", &Limits::import_stalled_seconds, Unit::seconds,
      "time without progress after which an import that the server started is stopped", most_seconds},
     {"field_cache_bytes", &Limits::field_cache_bytes, Unit::memory, "size of the cached fields of one dataset",

@@ -1,5 +1,5 @@
 // Every limit of a server, in one table. Each row is an option and an environment variable of `ciel serve`, and a
-// member of server.info. tests/unit/methods tests each limit; tests/unit/gateway tests the limits of sockets.
+// member of server.info. The tests of a limit are in tests/unit: methods, gateway (sockets) or importing.
 #pragma once
 
 #include <cstdint>

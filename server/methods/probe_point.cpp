@@ -66,8 +66,10 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
         geometry = source.geometry();
         position = context.server.picture_workers().run([&](engine::Worker& worker) {
             context.check_wanted();
-            return frames::position_under(*geometry, source.version().checked, size, *params.pixel, *locator,
-                                          worker.renderer(), [&] { context.check_wanted(); });
+            return dataset->naming_changed_file([&] {
+                return frames::position_under(*geometry, source.version().checked, size, *params.pixel, *locator,
+                                              worker.renderer(), [&] { context.check_wanted(); });
+            });
         });
     }
     if (!position) return {};

@@ -48,12 +48,11 @@ void probe_array(const store::Dataset& dataset, std::size_t step, const store::A
     }
 }
 
-} // namespace
-
-Probed probe(const store::Dataset& dataset, std::size_t step, const ciel::CellLocator& locator, ciel::Vec3d position) {
+Probed probe_at(const store::Dataset& dataset, std::size_t step, const ciel::CellLocator& locator,
+                const ciel::Vec3d& position) {
     Probed out;
     out.position = position;
-    const ciel::Index cell = dataset.naming_changed_file([&] { return locator.cell_at(position); });
+    const ciel::Index cell = locator.cell_at(position);
     dataset.check_intact();
     if (cell == ciel::none) return out;
     const std::size_t mesh = dataset.steps()[step].mesh;
@@ -71,6 +70,12 @@ Probed probe(const store::Dataset& dataset, std::size_t step, const ciel::CellLo
         probe_array(dataset, step, array, on_points ? weights : own, is_wrong, out);
     }
     return out;
+}
+
+} // namespace
+
+Probed probe(const store::Dataset& dataset, std::size_t step, const ciel::CellLocator& locator, ciel::Vec3d position) {
+    return dataset.naming_changed_file([&] { return probe_at(dataset, step, locator, position); });
 }
 
 } // namespace server::probe

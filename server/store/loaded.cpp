@@ -238,14 +238,7 @@ std::shared_ptr<const ciel::Topology> LoadedDataset::topology(std::size_t mesh) 
     const std::lock_guard making(slot->making);
     if (slot->topology) return slot->topology;
     const auto of = state_->current();
-    std::shared_ptr<const ciel::Topology> made;
-    try {
-        made = std::make_shared<const ciel::Topology>(of->topology(mesh));
-    } catch (const ciel::Error&) {
-        // The kernel's error names no file. If a file has changed, check_unchanged throws an error that names it.
-        of->check_unchanged();
-        throw;
-    }
+    auto made = of->naming_changed_file([&] { return std::make_shared<const ciel::Topology>(of->topology(mesh)); });
     of->check_unchanged();
     return slot->topology = std::move(made);
 }

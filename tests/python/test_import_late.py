@@ -416,6 +416,13 @@ def test_a_picture_waits_for_its_step_and_the_next_ones_are_read_ahead(source, t
         assert histogram == whole.call("dataset.histogram", dataset="b", array="f", time=4, bins=16)
 
 
+def test_late_steps_have_the_limits_of_the_server(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    with Server(tmp_path / "a.ciel", "--data-dir", tmp_path / "cache", "--limit-import-memory-bytes", "8M") as server:
+        answer = answer_of(server, "picture.render", scene=scene_at(2), width=64, height=48)
+        assert "raise the limit with --limit-import-memory-bytes" in str(answer), answer
+
+
 def test_the_description_counts_the_steps_that_have_not_been_read(source, tmp_path):
     imported(source, tmp_path / "a.ciel", tmp_path)
     with serve(tmp_path / "a.ciel", tmp_path) as server:

@@ -38,6 +38,17 @@ TEST(ImportEnd, OfLateStepsKeepsThoseThatWereRead) {
     }
 }
 
+TEST(ImportEnd, KnowsTheSentencesOfTheDynamicLoaderForTooLittleMemory) {
+    for (const char* reason :
+         {"libc.so.6: failed to map segment from shared object", "libm.so.6: cannot map zero-fill pages",
+          "libz.so.1: cannot create shared object descriptor: Cannot allocate memory"}) {
+        processes::ChildEnd end;
+        end.exit_code = 127;
+        end.errors = std::string("/usr/bin/ciel-import: error while loading shared libraries: ") + reason;
+        EXPECT_THAT(describe_end(end, {{"inputs", {"box.vtu"}}}, {}), HasSubstr("the memory limit of")) << reason;
+    }
+}
+
 TEST(ImportEnd, NamesTheOptionThatCanBeGiven) {
     processes::ChildEnd out_of_memory, stalled;
     out_of_memory.exit_code = import_out_of_memory;
@@ -46,6 +57,10 @@ TEST(ImportEnd, NamesTheOptionThatCanBeGiven) {
     EXPECT_THAT(describe_end(out_of_memory, values, {}), HasSubstr("raise the limit with --memory-limit"));
     EXPECT_THAT(describe_end(stalled, values, {}), HasSubstr("no progress for 1800 s and was stopped"));
     EXPECT_THAT(describe_end(stalled, values, {}), HasSubstr("a longer --stall-limit"));
+
+    ImportLimits of_user;
+    of_user.stalled_seconds = 999.7;
+    EXPECT_THAT(describe_end(stalled, values, of_user), HasSubstr("no progress for 1000 s and was stopped"));
 
     limits::Limits of_server;
     of_server.import_memory_bytes = 3'000'000'000;

@@ -20,7 +20,7 @@ std::array<float, 2> CellLimits::of(Index cell, std::span<const float> values) {
         cell_begin_ = blocks.numbers.cell[block_];
         cell_end_ = blocks.numbers.cell[block_ + 1];
     }
-    auto [low, high] = no_limits;
+    float low = no_limits[0], high = no_limits[1];
     bool is_finite = true;
     for_corners_of_cell(blocks.cells(block_), cell - cell_begin_, [&](Index vertex) {
         const float value = values[vertex];
