@@ -13,8 +13,8 @@ namespace {
 // The layers of such a picture take 1.06 GB: up to 32 bytes per layer pixel, without the records of lines.
 constexpr int most_pixels_at_twice_the_resolution = 3840 * 2160;
 
-// A layer without volumes of its own uses the picture of the volumes that an earlier layer has. Little light of such a
-// layer reaches the eye.
+// Returns whether the volumes are drawn again for this layer. Other layers reuse the picture of the volumes that was
+// drawn for an earlier layer. The error is small, because little light of these layers reaches the eye.
 bool has_volumes_of_its_own(int layer, bool dense) {
     if (dense) return std::has_single_bit(static_cast<unsigned>(layer)) || layer == 0;
     return layer < 8 || layer % 4 == 0;

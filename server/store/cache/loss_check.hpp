@@ -5,8 +5,8 @@
 
 namespace server::store {
 
-// A dataset calls this after each read. After one loss, all files are looked at until the lost one is no longer mapped.
-// Thread-safe.
+// A dataset calls its LossCheck after each read. After a loss, each call looks at all files, until the lost file is no
+// longer mapped. Thread-safe.
 class LossCheck {
 public:
     explicit LossCheck(LossCount losses) : losses_(std::move(losses)) {}
