@@ -37,7 +37,7 @@ private:
     glm::dmat4 to_clip_{};
 };
 
-color::SlabMesh boundary_of(const Case& data, const geometry::SlabProperty& property) {
+color::SlabTriangles boundary_of(const Case& data, const geometry::SlabProperty& property) {
     const ciel::BlockBoxes boxes = ciel::block_boxes(*data.topology, data.mesh.positions);
     return geometry::slab_boundary(
         ciel::threshold_surface(*data.topology, data.mesh, boxes, property.filled, ciel::CollapsedFaces::keep),
@@ -83,7 +83,7 @@ std::uint64_t VolumePictures::cut(const ciel::Vec3d& normal) {
     volume_.slices = slices_;
     volume_.revision = ++revision_;
     std::uint64_t triangles = 0;
-    for (const color::SlabMesh& slice : slices_) triangles += slice.triangles.size() / 3;
+    for (const color::SlabTriangles& slice : slices_) triangles += slice.triangles.size() / 3;
     return triangles;
 }
 
@@ -119,7 +119,7 @@ double VolumePictures::samples() const {
     const Screen screen(frame_, volume_.coarseness);
     double pixels = 0;
     for (std::size_t i = volume_.stride / 2; i < slices_.size(); i += volume_.stride) {
-        const color::SlabMesh& slice = slices_[i];
+        const color::SlabTriangles& slice = slices_[i];
         for (std::size_t k = 0; k < slice.triangles.size(); k += 3)
             pixels += screen.area(slice.vertices[slice.triangles[k]].position,
                                   slice.vertices[slice.triangles[k + 1]].position,

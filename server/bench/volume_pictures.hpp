@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/case.hpp"
-#include "color/slab_mesh.hpp"
+#include "color/slab_triangles.hpp"
 #include "render/renderer.hpp"
 
 namespace server::bench {
@@ -39,8 +39,8 @@ private:
     store::Values values_; // as floats
     std::vector<ciel::Vec3f> gradients_;
     std::vector<std::uint8_t> filled_;
-    color::SlabMesh boundary_;
-    std::vector<color::SlabMesh> slices_;
+    color::SlabTriangles boundary_;
+    std::vector<color::SlabTriangles> slices_;
     render::Volume volume_;
     render::Frame frame_;
     render::Image image_;

@@ -26,7 +26,7 @@ bool is_seen(const Drawable& drawable, const ClipPlanes& cutter) {
 }
 
 // Tests each plane alone: several planes that remove all vertices together may leave a part in the middle of a cell.
-bool is_seen(const color::SlabMesh& boundary, const Geometry& geometry) {
+bool is_seen(const color::SlabTriangles& boundary, const Geometry& geometry) {
     const auto& vertices = boundary.vertices;
     return !vertices.empty() &&
            std::all_of(geometry.clip.begin(), geometry.clip.end(), [&](const ciel::HalfSpace& plane) {

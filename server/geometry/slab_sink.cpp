@@ -11,15 +11,15 @@
 
 namespace server::geometry {
 
-using color::SlabMesh;
+using color::SlabTriangles;
 using color::SlabVertex;
 
 namespace {
 
-// Writes polygons as triangle fans. The points of the polygons must be vertices of the SlabMesh already.
+// Writes polygons as triangle fans. The points of the polygons must be vertices of the SlabTriangles already.
 class FanWriter {
 public:
-    explicit FanWriter(SlabMesh& out) : out_(out), taken_(taken_of_this_thread()) {
+    explicit FanWriter(SlabTriangles& out) : out_(out), taken_(taken_of_this_thread()) {
         taken_.assign(out.vertices.size(), 0);
     }
 
@@ -98,7 +98,7 @@ private:
         return worst;
     }
 
-    SlabMesh& out_;
+    SlabTriangles& out_;
     std::vector<std::uint8_t>& taken_; // by vertex: 1 if a fan starts at the vertex
 };
 
@@ -143,14 +143,14 @@ std::vector<std::uint8_t> filled_cells(const ciel::Field& values) {
     return ciel::cells_in_range(values, {-greatest, greatest}, ciel::InRange::all);
 }
 
-SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property) {
+SlabTriangles slab_boundary(const ciel::Surface& faces, const SlabProperty& property) {
     const std::size_t vertices = std::min(property.value.size(), property.gradient.size());
     const auto has_entry = [&](const ciel::EdgePoint& point) { return point.a < vertices; };
     const auto has_cell = [&](ciel::Index cell) { return cell < property.topology.counts().cells; };
     if (!std::ranges::all_of(faces.points, has_entry) || !std::ranges::all_of(faces.polygon_cell, has_cell))
         ciel::fail("the property has no value for a vertex or a cell of the boundary; pass the boundary of the mesh on "
                    "which the property lies");
-    SlabMesh out;
+    SlabTriangles out;
     out.vertices.reserve(faces.points.size() + faces.polygon_cell.size() / 2);
     for (std::size_t i = 0; i < faces.points.size(); ++i) {
         const ciel::Index vertex = faces.points[i].a;

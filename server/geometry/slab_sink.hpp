@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ciel/sweep_sinks.hpp"
-#include "color/slab_mesh.hpp"
+#include "color/slab_triangles.hpp"
 
 namespace server::geometry {
 
@@ -22,8 +22,8 @@ struct SlabProperty {
 struct SlabSink {
     SlabProperty property;
 
-    using Piece = color::SlabMesh;
-    using Out = color::SlabMesh;
+    using Piece = color::SlabTriangles;
+    using Out = color::SlabTriangles;
     void check(const ciel::TopologyCounts& counts) const;
     void write(const ciel::BlockPolygons& cut, Piece& piece) const;
     void join(std::span<const Piece* const> pieces, Out& out) const;
@@ -36,6 +36,6 @@ struct SlabSink {
 // Returns the polygons of `faces` as the boundary of a volume. `faces`: the surface around the filled cells
 // (threshold_surface, with CollapsedFaces::keep). Its points are mesh vertices. Throws Error when a vertex or a cell of
 // `faces` has no entry in an array of the property.
-[[nodiscard]] color::SlabMesh slab_boundary(const ciel::Surface& faces, const SlabProperty& property);
+[[nodiscard]] color::SlabTriangles slab_boundary(const ciel::Surface& faces, const SlabProperty& property);
 
 } // namespace server::geometry

@@ -38,7 +38,7 @@ ciel::Vec3d unit_vector(const ciel::Vec3d& v) {
 
 std::size_t Slabs::memory_bytes() const {
     std::size_t bytes = 0;
-    for (const color::SlabMesh& slice : slices) bytes += slice.memory_bytes();
+    for (const color::SlabTriangles& slice : slices) bytes += slice.memory_bytes();
     return bytes;
 }
 
@@ -93,8 +93,8 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
         for (std::size_t cell = 0; cell < filled.size(); ++cell)
             if (sound->kept[cell] == 0) filled[cell] = 0;
     const ciel::Surface faces = field.surface_around(filled, *loaded.boxes(step), ciel::CollapsedFaces::keep);
-    boundary =
-        std::make_shared<const color::SlabMesh>(slab_boundary(faces, {topology, values.floats(), gradients, filled}));
+    boundary = std::make_shared<const color::SlabTriangles>(
+        slab_boundary(faces, {topology, values.floats(), gradients, filled}));
     key = wanted;
 }
 
@@ -114,7 +114,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
     std::vector<double> places;
     for (std::size_t i = every / 2; i < count; i += every)
         places.push_back(made->first + (static_cast<double>(i) + 0.5) * made->thickness);
-    std::vector<color::SlabMesh> cuts;
+    std::vector<color::SlabTriangles> cuts;
     const SlabSink sink{{*planes.topology, values.floats(), gradients, filled}};
     if (!planes.sweep(places, sink, cuts, stop, extraction)) return false;
     for (std::size_t i = every / 2, k = 0; i < count; i += every, ++k) made->slices[i] = std::move(cuts[k]);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "annotations/camera.hpp"
-#include "color/slab_mesh.hpp"
+#include "color/slab_triangles.hpp"
 #include "geometry/scene_geometry.hpp"
 
 #include <array>
@@ -14,9 +14,9 @@ namespace server::geometry {
 // along the normal are values of dot(normal, offset from Geometry::origin).
 struct Slabs {
     ciel::Vec3d normal{};
-    double first = 0, thickness = 1;     // position of the start of slab 0; thickness of a slab
-    std::vector<color::SlabMesh> slices; // a slice is empty if it is not cut yet
-    std::shared_ptr<const color::SlabMesh> boundary;
+    double first = 0, thickness = 1;          // position of the start of slab 0; thickness of a slab
+    std::vector<color::SlabTriangles> slices; // a slice is empty if it is not cut yet
+    std::shared_ptr<const color::SlabTriangles> boundary;
 
     [[nodiscard]] std::size_t memory_bytes() const;
 };
@@ -46,7 +46,7 @@ struct VolumeCut {
     double value_origin = 0;
     std::vector<ciel::Vec3f> gradients;
     std::vector<std::uint8_t> filled; // by cell (SlabProperty)
-    std::shared_ptr<const color::SlabMesh> boundary;
+    std::shared_ptr<const color::SlabTriangles> boundary;
     std::shared_ptr<const Slabs> slabs;
     std::string slabs_key;
     std::size_t stride = 1; // stride of the slices that are cut: 1, or that of interactive pictures

@@ -9,7 +9,7 @@ namespace server::limits {
 // this limit is lower.
 [[nodiscard]] std::uint64_t machine_memory();
 
-// Returns the resident bytes of heap, stacks and drivers' allocations. Pages of files are not counted.
+// Returns the resident bytes of heap, stacks and drivers' allocations. Memory pages of files are not counted.
 [[nodiscard]] std::uint64_t private_resident_memory();
 
 // Bytes that this process can still allocate; the largest std::uint64_t if there is no limit.

@@ -15,8 +15,8 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     const auto crossings = probe::crossings(*geometry, checked, size, params.pixel);
     protocol::ScenePickResult picked;
     if (const auto seen = probe::bounds_in_view(*geometry, checked, size)) {
-        ciel::Vec3d& centre = picked.centre.emplace();
-        for (std::size_t k = 0; k < 3; ++k) centre[k] = (seen->low[k] + seen->high[k]) / 2;
+        ciel::Vec3d& center = picked.center.emplace();
+        for (std::size_t k = 0; k < 3; ++k) center[k] = (seen->low[k] + seen->high[k]) / 2;
     }
     if (crossings.empty()) return picked;
     const probe::Crossing& first = crossings.front();

@@ -30,7 +30,7 @@ public:
         low_ = std::min(low_, value);
         high_ = std::max(high_, value);
     }
-    void add(const color::SlabMesh& mesh, double origin) {
+    void add(const color::SlabTriangles& mesh, double origin) {
         for (const color::SlabVertex& vertex : mesh.vertices) add(vertex.position, origin + double{vertex.value});
     }
     [[nodiscard]] std::optional<std::array<double, 2>> range() const {
@@ -72,7 +72,7 @@ std::optional<std::array<double, 2>> visible_range(const geometry::Geometry& geo
     for (const geometry::VolumeDrawable& volume : geometry.volumes) {
         if (of_contours || !is_asked(volume.layer)) continue;
         seen.add(*volume.slabs->boundary, volume.value_origin);
-        for (const color::SlabMesh& slice : volume.slabs->slices) seen.add(slice, volume.value_origin);
+        for (const color::SlabTriangles& slice : volume.slabs->slices) seen.add(slice, volume.value_origin);
     }
     return seen.range();
 }

@@ -27,7 +27,8 @@ std::uint64_t bytes_of(const Primitives& primitives) {
 
 std::uint64_t bytes_of(const Volume& volume) {
     std::uint64_t bytes = volume.boundary != nullptr ? volume.boundary->memory_bytes() : 0;
-    for (const color::SlabMesh& slice : volume.slices) bytes = std::max<std::uint64_t>(bytes, slice.memory_bytes());
+    for (const color::SlabTriangles& slice : volume.slices)
+        bytes = std::max<std::uint64_t>(bytes, slice.memory_bytes());
     return bytes;
 }
 

@@ -203,7 +203,7 @@ bool same(const SliceSink::Out& a, const SliceSink::Out& b) {
     return a.positions == b.positions && a.property == b.property && a.triangles == b.triangles;
 }
 bool same(const std::vector<Vec3f>& a, const std::vector<Vec3f>& b) { return a == b; }
-bool same(const color::SlabMesh& a, const color::SlabMesh& b) {
+bool same(const color::SlabTriangles& a, const color::SlabTriangles& b) {
     return a.triangles == b.triangles && std::ranges::equal(a.vertices, b.vertices, [](const auto& p, const auto& q) {
                return p.position == q.position && p.value == q.value && p.gradient == q.gradient &&
                       p.limits == q.limits;

@@ -60,7 +60,7 @@ const std::map<std::string, std::function<Polyhedra(int)>>& kinds() {
 }
 
 struct Bump {
-    Point centre;
+    Point center;
     double width, height;
 };
 
@@ -79,7 +79,7 @@ public:
         double sum = p[0];
         for (const Bump& bump : list_) {
             double square = 0;
-            for (std::size_t axis = 0; axis < 3; ++axis) square += std::pow(p[axis] - bump.centre[axis], 2);
+            for (std::size_t axis = 0; axis < 3; ++axis) square += std::pow(p[axis] - bump.center[axis], 2);
             sum += bump.height * std::exp(-square / (2 * bump.width * bump.width));
         }
         return sum;

@@ -251,7 +251,7 @@ describe("view", { skip }, () => {
     assert.equal((await axes.count()) + (await captions.count()), 0, "each is a step of undo");
   });
 
-  test("a click reads the values, a double click centres", async () => {
+  test("a click reads the values, a double click centers", async () => {
     const picture = await client.picture();
     const [x, y] = find(
       picture,

@@ -6,7 +6,7 @@
 #include "ciel/feature_edges.hpp"
 #include "ciel/polygon_edges.hpp"
 #include "ciel/threshold_surface.hpp"
-#include "color/slab_mesh.hpp"
+#include "color/slab_triangles.hpp"
 #include "fuzz/bytes.hpp"
 
 #include <algorithm>
@@ -137,7 +137,7 @@ inline void check_clipped(const ClippedSurface& clipped, std::size_t points_befo
         }
 }
 
-inline void check_slab(const color::SlabMesh& slab) {
+inline void check_slab(const color::SlabTriangles& slab) {
     require(slab.triangles.size() % 3 == 0, "whole triangles");
     for (std::size_t i = 0; i < slab.triangles.size(); ++i) {
         require(slab.triangles[i] < slab.vertices.size(), "a slab's triangle without a vertex");

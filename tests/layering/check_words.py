@@ -35,6 +35,9 @@ RETIRED = [
     (r"\bannotations::(Place|Camera)\b", "annotations::PicturePoint or ViewCamera", set()),
     (r"\bgeometry::Patch\b", "geometry::MeasuredPatch", set()),
     (r"\buseApp\b|\bAppState\b", "useModel and useCommands, PageState", set()),
+    (r"[Cc]entre|CENTRE", "center", {"CHANGELOG.md"}),
+    (r"\bSlabMesh\b|slab_mesh\.hpp", "color::SlabTriangles", set()),
+    (r"\bFullCamera\b", "ViewCamera", set()),
     (r"\bkernel_unit\b", "tests/unit/ciel", set()),
 ]
 TEXTS = {".cpp", ".hpp", ".ts", ".tsx", ".py", ".md", ".json", ".txt", ".cmake", ".css", ".html", ".glsl", ""}

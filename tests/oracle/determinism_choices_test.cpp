@@ -133,7 +133,7 @@ using SlabPolygon = std::pair<std::array<float, 2>, std::vector<SlabCorner>>; //
 
 // The apex of a polygon's fan depends on the other polygons of the block, so polygons are compared by their sorted
 // corners.
-std::vector<SlabPolygon> polygons_of(const color::SlabMesh& mesh) {
+std::vector<SlabPolygon> polygons_of(const color::SlabTriangles& mesh) {
     std::vector<SlabPolygon> out;
     Index apex = none;
     for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {

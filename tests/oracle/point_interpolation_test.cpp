@@ -30,7 +30,7 @@ double largest_error(const std::array<int, 3>& cubes, std::size_t axis) {
     const FaceMeshView mesh = assembled.mesh.view();
     const Topology topology(mesh);
     std::vector<float> cells;
-    for (const Vec3d& centre : cell_centres(topology, mesh)) cells.push_back(static_cast<float>(centre[axis]));
+    for (const Vec3d& center : cell_centers(topology, mesh)) cells.push_back(static_cast<float>(center[axis]));
     const std::vector<float> points = PointInterpolation(topology, mesh).apply(cells, 1);
     const std::array<double, 3> box{static_cast<double>(cubes[0]), static_cast<double>(cubes[1]),
                                     static_cast<double>(cubes[2])};

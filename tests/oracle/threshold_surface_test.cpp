@@ -181,7 +181,7 @@ TEST_P(ThresholdSurface, IsTheBoundaryOfAVolume) {
             const BlockBoxes boxes = block_boxes(mesh.topology, mesh.mesh().positions);
             const Boundary boundary(mesh.mesh());
             const Surface faces = threshold_surface(mesh.topology, boundary.faces(), boxes, kept, CollapsedFaces::keep);
-            const color::SlabMesh slab = geometry::slab_boundary(faces, {mesh.topology, values, gradients, kept});
+            const color::SlabTriangles slab = geometry::slab_boundary(faces, {mesh.topology, values, gradients, kept});
             CellLimits limits(mesh.topology);
             Areas found, wanted;
             std::vector<Vec3f> positions;

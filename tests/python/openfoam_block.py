@@ -35,7 +35,7 @@ class Block:
             elif side:
                 self.inner.append((cell(*here), cell(*other), loop))
 
-    def centres(self):
+    def centers(self):
         """Means of the cells' corners, which are the centroids for parallelepipeds."""
         corners = [set() for _ in range(np.prod(self.cells))]
         for owner, neighbour, loop in self.inner:
@@ -45,7 +45,7 @@ class Block:
             corners[owner].update(loop)
         return np.array([self.points[list(ids)].mean(axis=0) for ids in corners])
 
-    def face_centres(self, side):
+    def face_centers(self, side):
         return np.array([self.points[loop].mean(axis=0) for _, loop in self.outer[side]])
 
     def write(self, case, fields):

@@ -7,7 +7,7 @@ import numpy as np
 N = 4  # cells along each side of the unit cube
 
 POINTS = [(i / N, j / N, k / N) for k in range(N + 1) for j in range(N + 1) for i in range(N + 1)]
-CENTRES = np.array([((i + 0.5) / N, (j + 0.5) / N, (k + 0.5) / N) for k in range(N) for j in range(N) for i in range(N)])
+CENTERS = np.array([((i + 0.5) / N, (j + 0.5) / N, (k + 0.5) / N) for k in range(N) for j in range(N) for i in range(N)])
 
 
 def header(kind, name):
@@ -82,14 +82,14 @@ def write_mesh(poly, points, inner, outer, kinds):
     (poly / "boundary").write_text(header("polyBoundaryMesh", "boundary") + listing(rows))
 
 
-def write_fields(case, centres, more_patches=()):
+def write_fields(case, centers, more_patches=()):
     """Writes U and p at the times 1 and 2 for cells with these centers."""
     processor = {name: "type processor; value uniform 0;" for name in more_patches}
     for time in (1, 2):
         folder = case / str(time)
         folder.mkdir(parents=True)
-        speed = np.zeros((len(centres), 3))
-        speed[:, 0] = time * centres[:, 1] * (1 - centres[:, 1])
+        speed = np.zeros((len(centers), 3))
+        speed[:, 0] = time * centers[:, 1] * (1 - centers[:, 1])
         (folder / "U").write_text(
             field("volVectorField", "U", "[0 1 -1 0 0 0 0]", speed, {
                 "inlet": "type fixedValue; value uniform (5 0 0);",
@@ -98,7 +98,7 @@ def write_fields(case, centres, more_patches=()):
                 **{name: "type processor; value uniform (0 0 0);" for name in more_patches},
             }))
         (folder / "p").write_text(
-            field("volScalarField", "p", "[1 -1 -2 0 0 0 0]", time + centres[:, 0], {
+            field("volScalarField", "p", "[1 -1 -2 0 0 0 0]", time + centers[:, 0], {
                 "inlet": "type zeroGradient;", "outlet": "type fixedValue; value uniform 7;", "walls": "type zeroGradient;",
                 **processor,
             }))
@@ -118,7 +118,7 @@ def write_case(case):
     inner, outer = mesh()
     write_control(case)
     write_mesh(case / "constant/polyMesh", POINTS, inner, outer, KINDS)
-    write_fields(case, CENTRES)
+    write_fields(case, CENTERS)
     return case
 
 
@@ -139,7 +139,7 @@ def write_regions(case, regions):
         poly = case / "constant" / name / "polyMesh"
         write_mesh(poly, [(x + begin, y, z) for x, y, z in POINTS], inner, outer, KINDS)
         write_cell_zones(poly, {"core": [0, 1]})
-        write_fields(case / name, CENTRES)
+        write_fields(case / name, CENTERS)
         for time in ("1", "2"):
             (case / time).mkdir(exist_ok=True)
             (case / name / time).rename(case / time / name)
@@ -189,7 +189,7 @@ def write_processor(case, rank, ranks, processor_of_cell, zones, baffle):
         kinds,
     )
     write_cell_zones(folder / "constant/polyMesh", {name: [local[c] for c in cells if c in local] for name, cells in zones.items()})
-    write_fields(folder, CENTRES[mine], [name for name in own_outer if name.startswith("proc")])
+    write_fields(folder, CENTERS[mine], [name for name in own_outer if name.startswith("proc")])
     return len(used)
 
 

@@ -7,7 +7,7 @@ import pytest
 import vtk
 from import_support import ciel_info, imported, run_import
 from openfoam_block import Block, listed
-from openfoam_files import CENTRES, header, write_decomposed
+from openfoam_files import CENTERS, header, write_decomposed
 from program import ciel
 from test_import_plot3d import write_pair
 from vtk_files import CUBE, add_array, hexahedra, unstructured, with_fields, write
@@ -58,7 +58,7 @@ def test_pedigree_ids_serve_where_there_are_no_global_ones_and_text_is_a_note(tm
 
 
 def test_a_decomposed_case_has_the_numbers_of_the_whole_one(tmp_path):
-    processor_of_cell = (CENTRES[:, 0] > 0.5).astype(int)
+    processor_of_cell = (CENTERS[:, 0] > 0.5).astype(int)
     write_decomposed(tmp_path / "case", processor_of_cell, {})
     for rank in (0, 1):
         own = np.flatnonzero(processor_of_cell == rank)
@@ -165,7 +165,7 @@ def test_info_says_where_each_array_comes_from(tmp_path):
 
 
 def test_a_field_of_a_decomposed_case_names_the_files_of_all_processors(tmp_path):
-    write_decomposed(tmp_path / "case", (CENTRES[:, 0] > 0.5).astype(int), {})
+    write_decomposed(tmp_path / "case", (CENTERS[:, 0] > 0.5).astype(int), {})
     arrays = arrays_of(imported(tmp_path, tmp_path / "case"))
     assert arrays["cell:p"]["file"].startswith("processor*/") and arrays["cell:p"]["file"].endswith("/p")
 
@@ -177,16 +177,16 @@ def test_the_values_of_patches_are_stored_face_by_face(tmp_path):
     block = Block((3, 2, 2), {"left": "patch"})
     on_left = np.array([1.0, 2.0, 3.0, 4.0])
     entries = {side: "type zeroGradient;" for side in block.types} | {"left": f"type fixedValue; {listed(on_left)}"}
-    dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (block.centres()[:, 0], entries)}))
+    dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (block.centers()[:, 0], entries)}))
     mesh = dataset.mesh()
     assert np.all(mesh["faces/neighbour"][:] == 2**32 - 1)
     values = dict(enumerate(dataset.values("patch:T")))
     left = dataset.groups()["left"]
     assert sorted(values[face] for face in left) == list(on_left)
     offset, vertex, at = mesh["faces/face_offset"][:], mesh["faces/face_vertex"][:], dataset.positions()
-    centre = {face: at[vertex[offset[face] : offset[face + 1]]].mean(axis=0) for face in left}
-    for value, expected in zip(on_left, block.face_centres("left")):
-        assert any(values[face] == value and np.allclose(centre[face], expected) for face in left)
+    center = {face: at[vertex[offset[face] : offset[face + 1]]].mean(axis=0) for face in left}
+    for value, expected in zip(on_left, block.face_centers("left")):
+        assert any(values[face] == value and np.allclose(center[face], expected) for face in left)
     right = dataset.groups()["right"]
     assert np.allclose([values[face] for face in right], 5 / 6), "what the cells behind have"
 

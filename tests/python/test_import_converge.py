@@ -11,7 +11,7 @@ N = 3
 WALL, INLET = 30, 7  # ids of boundaries are arbitrary
 
 
-def polygons(cells, centres_of):
+def polygons(cells, centers_of):
     """Each polygon once: its nodes and its two cells. An outside cell is -(boundary id + 1) and comes first."""
     seen = {}
     for cell, nodes in enumerate(cells):
@@ -21,7 +21,7 @@ def polygons(cells, centres_of):
     rows = []
     for loop, owners in seen.values():
         if len(owners) == 1:
-            boundary = INLET if np.allclose(centres_of(loop)[0], 0) else WALL
+            boundary = INLET if np.allclose(centers_of(loop)[0], 0) else WALL
             owners = [-(boundary + 1), owners[0]]
         rows.append((loop, owners))
     return rows
@@ -34,7 +34,7 @@ def strings(group, name, values):
 def write_converge(path, time):
     points, cells = hexahedra(N)
     rows = polygons(cells, lambda loop: points[loop].mean(axis=0))
-    centres = points[cells].mean(axis=1)
+    centers = points[cells].mean(axis=1)
     with h5py.File(path, "w") as file:
         file.attrs["OUTPUT_TIME"] = np.float64(time)
         boundaries = file.create_group("BOUNDARIES")
@@ -46,8 +46,8 @@ def write_converge(path, time):
         strings(stream, "VARIABLE_NAMES/CELL_VARIABLES", ["PRESSURE", "VELOCITY_X", "VELOCITY_Y", "VELOCITY_Z"])
         for axis, name in enumerate("XYZ"):
             stream[f"VERTEX_COORDINATES/{name}"] = points[:, axis].astype("f4")
-            stream[f"CELL_CENTER_DATA/VELOCITY_{name}"] = (centres[:, axis] * time).astype("f4")
-        stream["CELL_CENTER_DATA/PRESSURE"] = (linear(centres) + time).astype("f4")
+            stream[f"CELL_CENTER_DATA/VELOCITY_{name}"] = (centers[:, axis] * time).astype("f4")
+        stream["CELL_CENTER_DATA/PRESSURE"] = (linear(centers) + time).astype("f4")
         stream["CONNECTIVITY/POLYGON_OFFSET"] = np.cumsum([0] + [len(loop) for loop, _ in rows]).astype("i4")
         stream["CONNECTIVITY/POLYGON_TO_VERTEX"] = np.concatenate([loop for loop, _ in rows]).astype("i4")
         stream["CONNECTIVITY/CONNECTED_CELLS"] = np.concatenate([owners for _, owners in rows]).astype("i4")
@@ -64,10 +64,10 @@ def test_polyhedra_boundaries_fields_and_times(tmp_path):
     assert {name: len(ids) for name, ids in dataset.groups().items()} == {"wall": 5 * N * N, "inlet": N * N}
     np.testing.assert_allclose(dataset.positions()[dataset.points_of(dataset.groups()["inlet"])][:, 0], 0)
     points, cells = hexahedra(N)
-    centres = points[cells].mean(axis=1)[dataset.mesh()["original_cell"][:]]
+    centers = points[cells].mean(axis=1)[dataset.mesh()["original_cell"][:]]
     for step, time in enumerate(dataset.times):
-        np.testing.assert_allclose(dataset.values("cell:PRESSURE", step), linear(centres) + time, atol=1e-5)
-        np.testing.assert_allclose(dataset.values("cell:VELOCITY", step), centres * time, atol=1e-5)
+        np.testing.assert_allclose(dataset.values("cell:PRESSURE", step), linear(centers) + time, atol=1e-5)
+        np.testing.assert_allclose(dataset.values("cell:VELOCITY", step), centers * time, atol=1e-5)
         position = dataset.positions()
         inside = np.all((position > 0.1) & (position < 0.9), axis=1)
         np.testing.assert_allclose(dataset.values("PRESSURE", step)[inside], linear(position)[inside] + time, atol=1e-5)

@@ -7,7 +7,7 @@ import pytest
 import vtk
 from import_support import ciel_info, imported, run_import
 from openfoam_block import Block
-from openfoam_files import CENTRES, field, header, write_decomposed
+from openfoam_files import CENTERS, field, header, write_decomposed
 from program import ciel
 from test_import_arrays import arrays_of, cubes, ids_of
 from vtk_files import add_array, multi_block, write
@@ -172,7 +172,7 @@ def test_ids_that_are_no_whole_numbers_are_no_ids(tmp_path):
 
 
 def test_a_bad_addressing_costs_the_ids_alone(tmp_path):
-    write_decomposed(tmp_path / "case", (CENTRES[:, 0] > 0.5).astype(int), {})
+    write_decomposed(tmp_path / "case", (CENTERS[:, 0] > 0.5).astype(int), {})
     file = tmp_path / "case/processor1/constant/polyMesh/cellProcAddressing"
     file.write_text(header("labelList", "cellProcAddressing") + "3\n(\n0\n1\n2\n)\n")
     dataset = imported(tmp_path, tmp_path / "case", code=3)

@@ -77,27 +77,27 @@ def write_exodus(path, blocks, points, cell_kind, side_sets, element_sets, nodal
     return path
 
 
-def on_side(centres, axis, side):
+def on_side(centers, axis, side):
     """Returns the elements (from 1) that touch a side of the unit cube, and the number of the touching side of each."""
     at = (0 if side == 0 else N - 1) + 0.5
-    elements = np.flatnonzero(np.isclose(centres[:, axis] * N, at)) + 1
+    elements = np.flatnonzero(np.isclose(centers[:, axis] * N, at)) + 1
     return elements, np.full(len(elements), SIDES["xyz"[axis] + str(side)])
 
 
 @pytest.mark.parametrize("kind", ["NETCDF3_64BIT_OFFSET", "NETCDF4"])
 def test_blocks_side_sets_element_sets_and_times(tmp_path, kind):
     points, cells = hexahedra(N)
-    centres = points[cells].mean(axis=1)
-    order = np.argsort(centres[:, 0] > 0.5, kind="stable")  # elements are numbered through all blocks
-    cells, centres = cells[order], centres[order]
-    left = int((centres[:, 0] < 0.5).sum())
-    inlet, bottom = on_side(centres, 0, 0), on_side(centres, 2, 0)
+    centers = points[cells].mean(axis=1)
+    order = np.argsort(centers[:, 0] > 0.5, kind="stable")  # elements are numbered through all blocks
+    cells, centers = cells[order], centers[order]
+    left = int((centers[:, 0] < 0.5).sum())
+    inlet, bottom = on_side(centers, 0, 0), on_side(centers, 2, 0)
     both = tuple(np.concatenate(pair) for pair in zip(inlet, bottom))
-    core = np.flatnonzero(np.all(np.isclose(centres, 0.5), axis=1) | (centres[:, 0] > 0.8)) + 1
+    core = np.flatnonzero(np.all(np.isclose(centers, 0.5), axis=1) | (centers[:, 0] > 0.8)) + 1
     file = write_exodus(
         tmp_path / "a.exo", {"left": cells[:left], "right": cells[left:]}, points, "HEX8",
         {"inlet": inlet, "wet": both}, {"core": (core, None)},
-        nodal=lambda step: linear(points) + step, element=lambda step: linear(centres) + 10 * step, times=(0.25, 0.75), kind=kind,
+        nodal=lambda step: linear(points) + step, element=lambda step: linear(centers) + 10 * step, times=(0.25, 0.75), kind=kind,
     )
     dataset = imported(tmp_path, file, "--weld")
     assert dataset.counts()["cells"] == N**3 and dataset.counts()["vertices"] == (N + 1) ** 3
@@ -105,7 +105,7 @@ def test_blocks_side_sets_element_sets_and_times(tmp_path, kind):
     assert dataset.times == [0.25, 0.75]
     np.testing.assert_allclose(dataset.values("f", 1), linear(dataset.positions()) + 1, atol=1e-5)
     original = dataset.mesh()["original_cell"][:]
-    np.testing.assert_allclose(dataset.values("cell:c", 1), linear(centres[original]) + 10, atol=1e-5)
+    np.testing.assert_allclose(dataset.values("cell:c", 1), linear(centers[original]) + 10, atol=1e-5)
 
     groups = dataset.groups()
     assert {name: len(ids) for name, ids in groups.items()} == {
@@ -120,7 +120,7 @@ def test_blocks_side_sets_element_sets_and_times(tmp_path, kind):
 
 def test_sets_of_quadratic_elements(tmp_path):
     points, cells = hexahedra(N)
-    centres = points[cells].mean(axis=1)
+    centers = points[cells].mean(axis=1)
     middle, rows = {}, []
     for cell in cells:
         for a, b in QUADRATIC_EDGES:
@@ -128,7 +128,7 @@ def test_sets_of_quadratic_elements(tmp_path):
         rows.append([*cell, *(middle[min(cell[a], cell[b]), max(cell[a], cell[b])] for a, b in QUADRATIC_EDGES)])
     all_points = np.vstack([points, [(points[a] + points[b]) / 2 for a, b in middle]])
     file = write_exodus(tmp_path / "a.exo", {"cube": rows}, all_points, "HEX20",
-                        {"inlet": on_side(centres, 0, 0)}, {"core": (np.array([14]), None)})
+                        {"inlet": on_side(centers, 0, 0)}, {"core": (np.array([14]), None)})
     dataset = imported(tmp_path, file)
     assert dataset.cells() == {"hexahedron": N**3} and dataset.counts()["vertices"] == (N + 1) ** 3
     assert f"{N**3} quadratic hexahedra keep their corners" in dataset.notes

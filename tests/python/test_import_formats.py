@@ -266,7 +266,7 @@ def test_a_face_that_looks_inwards_is_named_in_the_notes(tmp_path):
     grid = unstructured([(vtk.VTK_HEXAHEDRON, list(range(8))), (vtk.VTK_HEXAHEDRON, list(range(8, 16)))], points)
     dataset = imported(tmp_path, write(vtk.vtkXMLUnstructuredGridWriter(), tmp_path / "a.vtu", grid))
     (note,) = dataset.facts["notes"]
-    assert "inwards from the centre of 1 cell (inverted face pyramids)" in note and "(first ids: 1)" in note
+    assert "inwards from the center of 1 cell (inverted face pyramids)" in note and "(first ids: 1)" in note
     assert dataset.counts()["cells"] == 2
     assert json.loads(ciel_info(dataset.path, "--json"))["notes"] == [note]
     assert note in ciel_info(dataset.path)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from import_support import ciel_info, imported, run_import
 from openfoam_files import (
-    CENTRES,
+    CENTERS,
     N,
     header,
     mesh,
@@ -139,17 +139,17 @@ def test_a_decomposed_case_is_the_whole_again(tmp_path):
     assert dataset.counts() == whole.counts() and dataset.cells() == whole.cells()
     assert dataset.volume() == pytest.approx(1) and dataset.times == [1, 2]
     assert dataset.units("U") == "m/s" and "joined along 32 faces" in dataset.notes
-    centres = np.concatenate([CENTRES[np.array(processor) == rank] for rank in range(4)])
+    centers = np.concatenate([CENTERS[np.array(processor) == rank] for rank in range(4)])
     original = dataset.mesh()["original_cell"][:]
     for step in (0, 1):
-        np.testing.assert_allclose(dataset.values("cell:p", step), step + 1 + centres[original, 0], atol=1e-6)
+        np.testing.assert_allclose(dataset.values("cell:p", step), step + 1 + centers[original, 0], atol=1e-6)
         for name in ("U", "p"):
             np.testing.assert_allclose(in_order_of_place(dataset, name, step), in_order_of_place(whole, name, step), atol=1e-6)
     groups = dataset.groups()
     assert {name: len(ids) for name, ids in groups.items()} == {
         "inlet": 16, "outlet": 16, "walls": 64, "front": len(ZONES["front"]), "lid": len(ZONES["lid"])
     }
-    assert np.all(centres[original[groups["front"]], 0] < 0.5) and np.all(centres[original[groups["lid"]], 2] > 1 - 1 / N)
+    assert np.all(centers[original[groups["front"]], 0] < 0.5) and np.all(centers[original[groups["lid"]], 2] > 1 - 1 / N)
 
 
 def test_baffles_of_a_decomposed_case_stay_open(tmp_path):

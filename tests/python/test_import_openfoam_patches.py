@@ -24,7 +24,7 @@ def patches_of(dataset):
 
 def test_a_layer_of_cells_is_interpolated_within_its_plane(tmp_path):
     block = Block((12, 10, 1), EMPTY, stretched)
-    x = block.centres() @ [2, 3, 0]
+    x = block.centers() @ [2, 3, 0]
     empty = {side: "type empty;" for side in EMPTY}
     case = block.write(tmp_path / "case", {"T": (x, {**empty, **{side: "type zeroGradient;" for side in ("left", "right", "front", "back")}})})
     dataset = imported(tmp_path, case)
@@ -35,8 +35,8 @@ def test_a_layer_of_cells_is_interpolated_within_its_plane(tmp_path):
 
 def test_values_along_a_patch_are_exact_for_linear_ones(tmp_path):
     block = Block((6, 5, 4), place=lambda points: points ** np.array([1.4, 0.7, 1.2]))
-    entries = {side: f"type fixedValue; {listed(block.face_centres(side) @ [1, 2, 3])}" for side in block.types}
-    dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (block.centres() @ [1, 2, 3], entries)}))
+    entries = {side: f"type fixedValue; {listed(block.face_centers(side) @ [1, 2, 3])}" for side in block.types}
+    dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (block.centers() @ [1, 2, 3], entries)}))
     at, values = dataset.positions(), dataset.values("T")
     one_side = sum(on(at, axis, value).astype(int) for axis in range(3) for value in (0, 1)) == 1
     np.testing.assert_allclose(values[one_side], at[one_side] @ [1, 2, 3], atol=2e-5)
@@ -63,7 +63,7 @@ def test_vectors_lie_in_slip_walls_and_planes_of_symmetry(tmp_path):
 def test_a_slip_wall_at_rest_is_no_wall(tmp_path):
     """One field that is zero at a slip wall must not make it a no-slip wall for other fields."""
     block = Block((4, 4, 4))
-    u = np.where(block.centres()[:, 2:] > 0.5, [1.0, 0, 0], 0)
+    u = np.where(block.centers()[:, 2:] > 0.5, [1.0, 0, 0], 0)
     entries = {side: "type slip;" for side in block.types}
     t = {side: "type zeroGradient;" for side in block.types} | {"left": "type fixedValue; value uniform 3;"}
     dataset = imported(tmp_path, block.write(tmp_path / "case", {"U": (u, entries), "T": (np.ones(64), t)}))
@@ -91,8 +91,8 @@ def test_a_wedge_is_no_wall_with_values(tmp_path):
         return np.column_stack([x, r * np.cos(phi), r * np.sin(phi)])
 
     block = Block((8, 8, 1), {"bottom": "wedge", "top": "wedge"}, sector)
-    centres = block.centres()
-    x = centres[:, 0] + 2 * np.hypot(centres[:, 1], centres[:, 2])
+    centers = block.centers()
+    x = centers[:, 0] + 2 * np.hypot(centers[:, 1], centers[:, 2])
     entries = {side: "type zeroGradient;" for side in ("left", "right", "front", "back")} | {"bottom": "type wedge;", "top": "type wedge;"}
     dataset = imported(tmp_path, block.write(tmp_path / "case", {"T": (x, entries)}))
     at, values = dataset.positions(), dataset.values("T")

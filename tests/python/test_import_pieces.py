@@ -10,8 +10,8 @@ from vtk_files import add_array, hexahedra, unstructured, write
 
 N = 6
 POINTS, CELLS = hexahedra(N)
-CENTRES = POINTS[CELLS].mean(axis=1)
-PIECE = (CENTRES[:, 0] > 0.5).astype(int) + 2 * (CENTRES[:, 1] > 0.4)  # four pieces that meet along an edge
+CENTERS = POINTS[CELLS].mean(axis=1)
+PIECE = (CENTERS[:, 0] > 0.5).astype(int) + 2 * (CENTERS[:, 1] > 0.4)  # four pieces that meet along an edge
 
 
 def field(points):
@@ -29,7 +29,7 @@ def piece(cells, ghosts=None, ids=False, shift=0.0):
     used, local = np.unique(CELLS[cells], return_inverse=True)
     grid = unstructured([(vtk.VTK_HEXAHEDRON, row.tolist()) for row in local.reshape(-1, 8)], POINTS[used])
     add_array(grid.GetPointData(), "r", field(POINTS[used]) + shift)
-    add_array(grid.GetCellData(), "c", field(CENTRES[cells]))
+    add_array(grid.GetCellData(), "c", field(CENTERS[cells]))
     if ghosts is not None:
         flags = numpy_to_vtk(ghosts.astype(np.uint8), deep=1)
         flags.SetName("vtkGhostType")
@@ -136,7 +136,7 @@ def test_point_values_are_those_of_the_whole(whole, tmp_path):
 
 def test_a_crack_inside_one_piece_stays_open(tmp_path):
     """Two halves of one piece have their own points at the same positions."""
-    halves = [piece(np.flatnonzero(CENTRES[:, 2] < 0.5)), piece(np.flatnonzero(CENTRES[:, 2] > 0.5))]
+    halves = [piece(np.flatnonzero(CENTERS[:, 2] < 0.5)), piece(np.flatnonzero(CENTERS[:, 2] > 0.5))]
     append = vtk.vtkAppendFilter()
     for half in halves:
         append.AddInputData(half)
@@ -153,14 +153,14 @@ def test_a_crack_inside_one_piece_stays_open(tmp_path):
 
 def test_a_crack_along_a_cut_stays_open(tmp_path):
     """The values differ on both sides of the cut, as at a geological fault."""
-    left, right = CENTRES[:, 0] < 0.5, CENTRES[:, 0] > 0.5
+    left, right = CENTERS[:, 0] < 0.5, CENTERS[:, 0] > 0.5
     dataset = imported(tmp_path, pvtu(tmp_path / "in", [piece(np.flatnonzero(left)), piece(np.flatnonzero(right), shift=0.125)]))
     assert dataset.counts()["components"] == 2 and dataset.counts()["boundary_faces"] == 8 * N * N
     assert f"{2 * N * N} faces of pieces coincide with faces of another piece but differ in ids or values" in dataset.notes
 
 
 def test_node_ids_tell_a_crack_where_values_are_equal(tmp_path):
-    left, right = piece(np.flatnonzero(CENTRES[:, 0] < 0.5)), piece(np.flatnonzero(CENTRES[:, 0] > 0.5))
+    left, right = piece(np.flatnonzero(CENTERS[:, 0] < 0.5)), piece(np.flatnonzero(CENTERS[:, 0] > 0.5))
     add_ids(left, range(left.GetNumberOfPoints()))
     add_ids(right, range(10_000, 10_000 + right.GetNumberOfPoints()))
     assert imported(tmp_path, pvtu(tmp_path / "in", [left, right])).counts()["components"] == 2
@@ -190,7 +190,7 @@ def test_a_bad_piece_costs_that_piece(tmp_path, form, damage):
 
 
 def test_pieces_that_part_at_a_later_time_are_another_mesh_from_there(tmp_path):
-    left, right = np.flatnonzero(CENTRES[:, 0] < 0.5), np.flatnonzero(CENTRES[:, 0] > 0.5)
+    left, right = np.flatnonzero(CENTERS[:, 0] < 0.5), np.flatnonzero(CENTERS[:, 0] > 0.5)
     files = [pvtu(tmp_path / f"t{i}", [piece(left), piece(right, shift=shift)]) for i, shift in enumerate((0, 0.125))]
     rows = "".join(f'<DataSet timestep="{i}" file="{file.relative_to(tmp_path)}"/>' for i, file in enumerate(files))
     (tmp_path / "a.pvd").write_text(f'<VTKFile type="Collection"><Collection>{rows}</Collection></VTKFile>')

@@ -67,7 +67,7 @@ def test_sphere_counts(sphere):
 
 def test_sphere_ugly_cells_are_named(sphere):
     note = sphere.facts["notes"][0]
-    assert note.startswith("19 faces look inwards from the centre of 8 cells (inverted face pyramids)")
+    assert note.startswith("19 faces look inwards from the center of 8 cells (inverted face pyramids)")
     assert "first ids: 112, 154, 196, 253, 428, 429, 430, 431" in note
     assert note in ciel_info(sphere.path)
 

@@ -13,7 +13,7 @@ from vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from import_support import ciel_info, imported
 from program import ciel
 from serve_process import Server
-from vtk_files import centres_of, image, points_of
+from vtk_files import centers_of, image, points_of
 
 FAR, REACH = 101325.0, 0.01
 EMPTY = {"dataset": "out", "layers": {}}
@@ -34,14 +34,14 @@ def add(attributes, name, values):
 def source():
     """A box whose values of each type differ by less than float32 can tell."""
     data = image(N)
-    points, centres = points_of(data), centres_of(data)
+    points, centers = points_of(data), centers_of(data)
     add(data.GetPointData(), "p", pressure(points))
     add(data.GetPointData(), "near", pressure(points) - FAR)
     add(data.GetPointData(), "small", pressure(points).astype("f4"))
     add(data.GetPointData(), "U", np.stack([pressure(points), 1 / (3 + points[:, 0]), points[:, 1]], axis=1))
-    add(data.GetCellData(), "q", pressure(centres))
-    add(data.GetCellData(), "id", 2**24 + np.arange(len(centres), dtype="i4"))
-    add(data.GetCellData(), "short", np.arange(len(centres), dtype="i2"))
+    add(data.GetCellData(), "q", pressure(centers))
+    add(data.GetCellData(), "id", 2**24 + np.arange(len(centers), dtype="i4"))
+    add(data.GetCellData(), "short", np.arange(len(centers), dtype="i2"))
     return data
 
 
@@ -95,14 +95,14 @@ def test_info_says_types_and_a_range_with_two_ends(dataset):
 
 
 def test_probes_answer_the_files_numbers_bit_for_bit(source, dataset, server):
-    points, centres = points_of(source), centres_of(source)
+    points, centers = points_of(source), centers_of(source)
     for vertex in (0, 17, 300, N**3 - 1):
         answer = server.call("probe.point", scene=EMPTY, position=list(points[vertex]))
         assert answer["vertex"] == vertex
         assert answer["values"]["p"] == of_points(source, "p")[vertex]
         assert answer["values"]["U:y"] == of_points(source, "U")[vertex, 1]
     for cell in (0, 5, 200, (N - 1) ** 3 - 1):
-        values = server.call("probe.point", scene=EMPTY, position=list(centres[cell]))["values"]
+        values = server.call("probe.point", scene=EMPTY, position=list(centers[cell]))["values"]
         assert values["cell:q"] == of_cells(source, "q")[cell]
         assert values["cell:id"] == of_cells(source, "id")[cell]
 

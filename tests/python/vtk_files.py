@@ -21,19 +21,19 @@ def points_of(data):
     return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
 
 
-def centres_of(data):
-    centres = []
+def centers_of(data):
+    centers = []
     for i in range(data.GetNumberOfCells()):
         ids = data.GetCell(i).GetPointIds()
-        centres.append(np.mean([data.GetPoint(ids.GetId(j)) for j in range(ids.GetNumberOfIds())], axis=0))
-    return np.array(centres)
+        centers.append(np.mean([data.GetPoint(ids.GetId(j)) for j in range(ids.GetNumberOfIds())], axis=0))
+    return np.array(centers)
 
 
 def with_fields(data, shift=0.0):
     p = points_of(data)
     add_array(data.GetPointData(), "f", linear(p) + shift)
     add_array(data.GetPointData(), "v", p + shift)
-    add_array(data.GetCellData(), "c", linear(centres_of(data)) + shift)
+    add_array(data.GetCellData(), "c", linear(centers_of(data)) + shift)
     return data
 
 

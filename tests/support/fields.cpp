@@ -38,17 +38,17 @@ std::vector<float> bumps_field(const Polyhedra& mesh, std::uint64_t seed) {
     }
     std::mt19937_64 random(seed);
     std::uniform_real_distribution<double> uniform(0, 1);
-    std::array<Point, 5> centres;
-    for (Point& centre : centres) {
-        for (double& coordinate : centre) coordinate = uniform(random);
+    std::array<Point, 5> centers;
+    for (Point& center : centers) {
+        for (double& coordinate : center) coordinate = uniform(random);
     }
     std::vector<float> values;
     for (Id v = 0; v < mesh.vertex_count(); ++v) {
         double sum = 0;
-        for (const Point& centre : centres) {
+        for (const Point& center : centers) {
             double square = 0;
             for (int d = 0; d < 3; ++d) {
-                square += std::pow((mesh.position(v)[d] - low[d]) / std::max(high[d] - low[d], 1e-30) - centre[d], 2);
+                square += std::pow((mesh.position(v)[d] - low[d]) / std::max(high[d] - low[d], 1e-30) - center[d], 2);
             }
             sum += std::exp(-square / 0.08);
         }

@@ -64,13 +64,13 @@ private:
     }
 
     void add_pyramids(Cube cube) {
-        const Id centre = points_.centre(cube);
+        const Id center = points_.center(cube);
         std::vector<Loop> bases;
         add_sides(cube, {0, 1, 2, 3, 4, 5}, bases);
         for (const Loop& base : bases) {
             std::vector<Loop> loops{base};
             for (std::size_t i = 0; i < base.size(); ++i)
-                loops.push_back({base[(i + 1) % base.size()], base[i], centre});
+                loops.push_back({base[(i + 1) % base.size()], base[i], center});
             mesh_.add_cell(base.size() == 4 ? pyramid : tetrahedron, loops);
         }
     }

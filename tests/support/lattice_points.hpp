@@ -35,8 +35,8 @@ public:
         return static_cast<Id>(i + (box_.cubes[0] + 1) * (j + (box_.cubes[1] + 1) * k));
     }
 
-    [[nodiscard]] Id centre(std::array<int, 3> cube) {
-        const auto [entry, is_new] = centres_.emplace(cube, 0);
+    [[nodiscard]] Id center(std::array<int, 3> cube) {
+        const auto [entry, is_new] = centers_.emplace(cube, 0);
         if (is_new) entry->second = add(cube[0] + 0.5, cube[1] + 0.5, cube[2] + 0.5);
         return entry->second;
     }
@@ -56,7 +56,7 @@ private:
     Box box_;
     Polyhedra& mesh_;
     std::mt19937_64 random_;
-    std::map<std::array<int, 3>, Id> centres_;
+    std::map<std::array<int, 3>, Id> centers_;
 };
 
 // Corners may be in any order. The sign of the volume decides the winding, which is outwards.

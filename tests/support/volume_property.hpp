@@ -22,7 +22,7 @@ struct VolumeProperty {
 
     [[nodiscard]] geometry::SlabProperty view() const { return {*topology, values, gradients, filled}; }
     // `faces`: the boundary faces of the mesh, or all faces.
-    [[nodiscard]] color::SlabMesh boundary(const FaceMeshView& faces) const {
+    [[nodiscard]] color::SlabTriangles boundary(const FaceMeshView& faces) const {
         const BlockBoxes boxes = block_boxes(*topology, faces.positions);
         return geometry::slab_boundary(threshold_surface(*topology, faces, boxes, filled, CollapsedFaces::keep),
                                        view());

@@ -101,10 +101,10 @@ def test_ensight(tmp_path, polyhedra):
 
 def test_exodus(tmp_path):
     points, cells = hexahedra(3)
-    centres = points[cells].mean(axis=1)
+    centers = points[cells].mean(axis=1)
     path = write_exodus(tmp_path / "a.exo", {"left": cells[:12], "right": cells[12:]}, points, "HEX8",
-                        {"inlet": on_side(centres, 0, 0)}, {"core": (np.arange(1, 4), None)},
-                        nodal=lambda step: linear(points) + step, element=lambda step: linear(centres) + 10 * step, times=(0.25, 0.75))
+                        {"inlet": on_side(centers, 0, 0)}, {"core": (np.arange(1, 4), None)},
+                        nodal=lambda step: linear(points) + step, element=lambda step: linear(centers) + 10 * step, times=(0.25, 0.75))
     reader = reader_of("vtkExodusIIReader", path)
     reader.UpdateInformation()
     reader.SetAllArrayStatus(vtk.vtkExodusIIReader.NODAL, 1)

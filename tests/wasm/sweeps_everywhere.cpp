@@ -7,7 +7,7 @@ namespace ciel::test {
 using namespace server;
 namespace {
 
-void record_slab(const std::string& where, const color::SlabMesh& slab, Results& results) {
+void record_slab(const std::string& where, const color::SlabTriangles& slab, Results& results) {
     results.record(where, "vertices", slab.vertices);
     results.record(where, "triangles", slab.triangles);
 }

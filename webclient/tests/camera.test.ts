@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import {
   AXIS_VIEWS,
   axisView,
-  centre,
+  center,
   clearOf,
   complete,
   corners,
@@ -21,7 +21,7 @@ import {
   withViewHeight,
   zoom,
   type Bounds,
-  type FullCamera,
+  type ViewCamera,
 } from "../src/model/camera";
 import { dragOf, wheelFactor } from "../src/view/gestures";
 import { depthRange, projectionMatrix, viewMatrix } from "../src/view/matrices";
@@ -32,7 +32,7 @@ const bounds: Bounds = [10, 14, -3, 5, 100, 101];
 const start = complete({ position: [20, -30, 110], target: [12, 1, 100.5], up: [0, 0, 1], fov: 35 });
 const close = (a: Vec3, b: Vec3, digits = 9): void => a.forEach((v, i) => expect(v).toBeCloseTo(b[i] ?? NaN, digits));
 
-function expectRightAngled(camera: FullCamera): void {
+function expectRightAngled(camera: ViewCamera): void {
   const { right, up, forward } = frame(camera);
   for (const axis of [right, up, forward]) expect(length(axis)).toBeCloseTo(1, 12);
   for (const [a, b] of [
@@ -144,9 +144,9 @@ describe("zoom", () => {
   });
 
   const diagonal = 9;
-  const reach = (camera: FullCamera): number =>
+  const reach = (camera: ViewCamera): number =>
     (camera.parallel ? camera.parallel_height : distance(camera)) / diagonal;
-  const zoomedOften = (camera: FullCamera, factor: number): FullCamera => {
+  const zoomedOften = (camera: ViewCamera, factor: number): ViewCamera => {
     for (let i = 0; i < 200; i += 1) camera = zoom(camera, withinReach(camera, factor, bounds), 20, 30, size);
     return camera;
   };
@@ -182,12 +182,12 @@ describe("other moves", () => {
     expect(dot(frame(rolled).up, frame(start).up)).toBeCloseTo(Math.cos(0.7), 9);
   });
 
-  test("centre brings a point to the middle from the same side", () => {
+  test("center brings a point to the middle from the same side", () => {
     const point: Vec3 = [11, 2, 100.2];
-    const centred = centre(start, point);
-    expect(project(centred, point, size)).toMatchObject({ x: size.width / 2, y: size.height / 2 });
-    expect(distance(centred)).toBeCloseTo(distance(start), 9);
-    close(frame(centred).forward, frame(start).forward);
+    const centerd = center(start, point);
+    expect(project(centerd, point, size)).toMatchObject({ x: size.width / 2, y: size.height / 2 });
+    expect(distance(centerd)).toBeCloseTo(distance(start), 9);
+    close(frame(centerd).forward, frame(start).forward);
   });
 
   test("parallel and perspective span the same at the target, there and back", () => {
@@ -210,7 +210,7 @@ describe("other moves", () => {
 });
 
 describe("whole views", () => {
-  const views = (aspect: number): FullCamera[] => [
+  const views = (aspect: number): ViewCamera[] => [
     defaultView(bounds, aspect),
     ...AXIS_VIEWS.flatMap((side) => [true, false].map((parallel) => axisView(side, bounds, aspect, 30, parallel))),
   ];

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { complete, project, type Bounds, type FullCamera } from "../src/model/camera";
+import { complete, project, type Bounds, type ViewCamera } from "../src/model/camera";
 import type { Vec3 } from "../src/model/vector";
 import { layOut, type AnnotatedView, type Box, type Overlay } from "../src/wasm/overlay";
 
@@ -8,10 +8,10 @@ const overlaps = (a: Box, b: Box): boolean =>
 
 const size = { width: 800, height: 600 };
 const bounds: Bounds = [-1, 1, -1, 1, -1, 1];
-const look = (position: Vec3, target: Vec3 = [0, 0, 0], parallel = false): FullCamera =>
+const look = (position: Vec3, target: Vec3 = [0, 0, 0], parallel = false): ViewCamera =>
   complete({ position, target, up: [0, 0, 1], fov: 30, parallel, parallel_height: 4 });
 
-function axesOf(camera: FullCamera, more: Partial<AnnotatedView> = {}): Overlay {
+function axesOf(camera: ViewCamera, more: Partial<AnnotatedView> = {}): Overlay {
   const background: AnnotatedView["background"] = { top: [0, 0, 0], bottom: [0, 0, 0] };
   const others = { triad: false, axes: true, lengthUnits: "m", taken: [] };
   return layOut({ size, text: 12, camera, bounds, background, ...others, ...more }).axes;

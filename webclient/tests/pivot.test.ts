@@ -2,7 +2,7 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import { CameraCommands } from "../src/commands/camera_commands";
 import type { Deps } from "../src/commands/deps";
-import type { FullCamera } from "../src/model/camera";
+import type { ViewCamera } from "../src/model/camera";
 import type { Scene, Vec3 } from "../src/generated/protocol";
 import { makeModel } from "../src/model/model";
 import { SceneEditor } from "../src/server/editor";
@@ -10,9 +10,9 @@ import type { Server } from "../src/server/server";
 import { Pivot, PIVOT_PATIENCE_MS } from "../src/view/pivot";
 import { state } from "./session_state";
 
-type Picked = { position: Vec3 | null; centre: Vec3 | null };
+type Picked = { position: Vec3 | null; center: Vec3 | null };
 /** A scene.patch or scene.undo that the page sends. */
-type Sent = { camera?: FullCamera; layers?: object; gesture: string };
+type Sent = { camera?: ViewCamera; layers?: object; gesture: string };
 
 const scene = {
   dataset: "bar",
@@ -92,7 +92,7 @@ describe("a turn", () => {
     commands.turn(20, 0, "g");
     commands.turn(30, 5, "g");
     expect(moves).toEqual([]);
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves).toHaveLength(1);
     expect(moves[0]?.gesture).toBe("g");
     expect(distance(moves[0]?.camera?.position ?? [], [0, 0, 0])).toBeCloseTo(6);
@@ -112,7 +112,7 @@ describe("a turn", () => {
     vi.advanceTimersByTime(1);
     expect(distance(moves[0]?.camera?.position ?? [], [0, 60, 0])).toBeCloseTo(66);
     const before = moves[0]?.camera?.position ?? [];
-    await answer({ position: null, centre: [1, 2, 3] });
+    await answer({ position: null, center: [1, 2, 3] });
     expect(moves).toHaveLength(1);
     commands.turn(20, 0, "g");
     expect(distance(moves[1]?.camera?.position ?? [], [1, 2, 3])).toBeCloseTo(distance(before, [1, 2, 3]));
@@ -137,7 +137,7 @@ describe("a turn", () => {
     commands.turnsAbout(300, 300);
     commands.turn(20, 0, "g");
     choose("foo");
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves).toEqual([]);
     commands.turn(20, 0, "h");
     expect(moves.map(({ gesture }) => gesture)).toEqual(["h"]);
@@ -150,7 +150,7 @@ describe("a turn", () => {
     expect(moves.map(({ gesture }) => gesture)).toEqual(["arrows", "g-1"]);
     expect(distance(moves[0]?.camera?.position ?? [], [0, 60, 0])).toBeCloseTo(66); // about the target
     expect(distance(moves[1]?.camera?.position ?? [], [0, 60, 0])).toBeCloseTo(33);
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves).toHaveLength(2);
     const before = moves[1]?.camera?.position ?? [];
     commands.turn(20, 0, "g");
@@ -162,7 +162,7 @@ describe("a turn", () => {
     commands.turnBy(0, 20, "arrows", true);
     void editor.undo();
     expect(moves.map(({ gesture }) => gesture).slice(3)).toEqual(["arrows", "layer", "arrows", "undo"]);
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves).toHaveLength(7);
   });
 
@@ -171,7 +171,7 @@ describe("a turn", () => {
     commands.turnBy(20, 0, "arrows", true);
     editor.changeAutomatically({ time: 2 }, "play");
     expect(moves.map(({ gesture }) => gesture)).toEqual(["play"]);
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves.map(({ gesture }) => gesture)).toEqual(["play", "arrows"]);
     expect(distance(moves[1]?.camera?.position ?? [], [0, 0, 0])).toBeCloseTo(6);
   });
@@ -180,14 +180,14 @@ describe("a turn", () => {
     const { commands, moves, answer } = page();
     commands.turnBy(20, 0, "a", true);
     expect(moves).toEqual([]);
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves).toHaveLength(1);
     commands.turnBy(20, 0, "a", false);
     expect(moves).toHaveLength(2);
     commands.turnsAbout(1, 1);
     commands.turnsAbout(2, 2);
     commands.turn(20, 0, "b");
-    await answer({ position: [0, 0, 0], centre: null });
+    await answer({ position: [0, 0, 0], center: null });
     expect(moves.map(({ gesture }) => gesture)).toEqual(["a", "a", "b"]);
   });
 });

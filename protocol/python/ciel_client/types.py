@@ -312,7 +312,7 @@ class ScenePickResult(TypedDict):
     position: Vec3 | None  # Position on the polygon. null if no polygon is under the pixel.
     layer: str | None  # Id of the layer that the polygon belongs to. null if no polygon is under the pixel.
     patch: str | None  # Patch of the polygon. null if the layer is not a surface layer or the polygon is in no patch.
-    centre: Vec3 | None  # Center of the box of all drawn vertices inside the picture, hidden ones included. If a part of the boundary (`groups` or a threshold) is inside, only its vertices count. null if there are none.
+    center: Vec3 | None  # Center of the box of all drawn vertices inside the picture, hidden ones included. If a part of the boundary (`groups` or a threshold) is inside, only its vertices count. null if there are none.
 
 
 class ColorRangeParams(TypedDict):

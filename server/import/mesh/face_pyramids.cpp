@@ -18,9 +18,9 @@ InvertedPyramids find_inverted_pyramids(const ciel::MatchedCells& mesh, const ci
     InvertedPyramids inverted;
     std::mutex mutex;
     ciel::for_cell_shapes(
-        mesh, points, [&](ciel::Index cell, std::span<const ciel::FaceShape> faces, const ciel::Vec3d& centre) {
+        mesh, points, [&](ciel::Index cell, std::span<const ciel::FaceShape> faces, const ciel::Vec3d& center) {
             for (const ciel::FaceShape& face : faces) {
-                const ciel::Vec3d arm = face.centre - centre;
+                const ciel::Vec3d arm = face.center - center;
                 const double longest = std::sqrt(ciel::dot(face.area, face.area) * ciel::dot(arm, arm));
                 if (!(ciel::dot(face.area, arm) < least_cosine * longest)) continue;
                 const std::scoped_lock lock(mutex);

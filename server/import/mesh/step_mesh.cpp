@@ -93,7 +93,7 @@ void describe_shapes(const JoinedMesh& joined, StepMesh& mesh) {
     for (const ciel::Index cell : inverted.cells) ids.push_back(mesh.cells->matched.original_cell()[cell]);
     std::sort(ids.begin(), ids.end());
     ids.resize(std::min(ids.size(), shown));
-    mesh.notes.push_back(plural(inverted.count, "face looks", "faces look") + " inwards from the centre of " +
+    mesh.notes.push_back(plural(inverted.count, "face looks", "faces look") + " inwards from the center of " +
                          plural(inverted.cells.size(), "cell", "cells") +
                          " (inverted face pyramids), which were kept (first ids: " + id_list(ids, joined.source_cell) +
                          ").");

@@ -51,11 +51,11 @@ void add_borders(const ciel::FaceMeshView& mesh, const std::vector<ciel::Index>&
 
 PatchWeights weigh_patch(const ciel::FaceMeshView& mesh, const std::vector<ciel::Index>& faces) {
     std::map<ciel::Index, Around> around;
-    std::vector<ciel::Vec3d> centres, areas;
+    std::vector<ciel::Vec3d> centers, areas;
     for (std::size_t i = 0; i < faces.size(); ++i) {
         const auto loop = mesh.loop(faces[i]);
         const ciel::FaceShape shape = ciel::face_shape(mesh, loop.unchecked());
-        centres.push_back(shape.centre);
+        centers.push_back(shape.center);
         areas.push_back(shape.area);
         // Never 0, so that a vertex with only zero-area faces also gets a value.
         const double area = std::max(std::sqrt(ciel::dot(shape.area, shape.area)), std::numeric_limits<double>::min());
@@ -77,7 +77,7 @@ PatchWeights weigh_patch(const ciel::FaceMeshView& mesh, const std::vector<ciel:
         ciel::LeftOutDirections all = here.normals;
         for (const ciel::Vec3d& border : here.borders.directions()) all.add(border);
         displacements.clear();
-        for (const std::size_t face : here.faces) displacements.push_back(centres[face] - ciel::position(mesh, vertex));
+        for (const std::size_t face : here.faces) displacements.push_back(centers[face] - ciel::position(mesh, vertex));
         weights.resize(here.faces.size());
         ciel::linear_weights(displacements, all.directions(), weights);
         for (std::size_t i = 0; i < weights.size(); ++i) found.weights.push_back({vertex, here.faces[i], weights[i]});

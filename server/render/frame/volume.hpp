@@ -2,7 +2,7 @@
 #pragma once
 
 #include "color/color_scale.hpp"
-#include "color/slab_mesh.hpp"
+#include "color/slab_triangles.hpp"
 
 #include <cstdint>
 #include <span>
@@ -15,9 +15,9 @@ namespace server::render {
 // slab i. Does not own slices and boundary, which must exist until the draw call returns. If the boundary has gaps or
 // the wrong winding, the volume looks too thick or too thin there.
 struct Volume {
-    std::span<const color::SlabMesh> slices;   // positions: offsets from the frame's origin
-    const color::SlabMesh* boundary = nullptr; // faces around the mesh, counterclockwise seen from outside
-    ciel::Vec3d normal{0, 0, 1};               // unit vector across the slabs
+    std::span<const color::SlabTriangles> slices;   // positions: offsets from the frame's origin
+    const color::SlabTriangles* boundary = nullptr; // faces around the mesh, counterclockwise seen from outside
+    ciel::Vec3d normal{0, 0, 1};                    // unit vector across the slabs
     double first = 0, thickness = 1;
     std::size_t stride = 1; // odd; only every stride-th slice is drawn, and each drawn slab is thicker by this factor
 

@@ -9,7 +9,7 @@ std::vector<std::vector<ciel::Index>> boundary_of_slabs(const Volume& volume) {
     const std::size_t slabs = (volume.slices.size() + volume.stride - 1) / volume.stride;
     const double thickness = volume.thickness * static_cast<double>(volume.stride);
     std::vector<std::vector<ciel::Index>> lists(slabs);
-    const color::SlabMesh& mesh = *volume.boundary;
+    const color::SlabTriangles& mesh = *volume.boundary;
     const auto place = [&](ciel::Index vertex) {
         const ciel::Vec3f& p = mesh.vertices[vertex].position;
         return (volume.normal[0] * p[0] + volume.normal[1] * p[1] + volume.normal[2] * p[2] - volume.first) / thickness;

@@ -195,7 +195,8 @@ private:
 
 class Sorter {
 public:
-    Sorter(const color::SlabMesh& slice, const Places& places, const NearBoundary& near) : slice_(slice), near_(near) {
+    Sorter(const color::SlabTriangles& slice, const Places& places, const NearBoundary& near)
+        : slice_(slice), near_(near) {
         sorted_.slice = &slice;
         sorted_.triangles.reserve(slice.triangles.size());
         inner_.reserve(slice.triangles.size());
@@ -252,7 +253,7 @@ private:
         return middle;
     }
 
-    const color::SlabMesh& slice_;
+    const color::SlabTriangles& slice_;
     const NearBoundary& near_;
     std::vector<glm::dvec2> places_; // coordinates of the vertices along the slabs, in cells
     SortedSlice sorted_;
@@ -269,7 +270,7 @@ std::vector<SortedSlice> sort_slices(const Volume& volume, std::span<const std::
         for (std::size_t slab = begin; slab < end; ++slab) {
             const std::size_t i = slab * volume.stride + volume.stride / 2;
             if (i >= volume.slices.size()) continue;
-            const color::SlabMesh& slice = volume.slices[i];
+            const color::SlabTriangles& slice = volume.slices[i];
             const double middle = volume.first + (static_cast<double>(slab) + 0.5) * thickness;
             NearBoundary near(places, middle, thickness / 2);
             const std::vector<ciel::Index>& list = boundary_of_slab[slab];

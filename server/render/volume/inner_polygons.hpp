@@ -9,8 +9,8 @@ namespace server::render {
 
 // Inner triangles are last. Large triangles near the boundary are split, so that most of their area is inner.
 struct SortedSlice {
-    const color::SlabMesh* slice = nullptr; // not owned; its vertices have the first indices
-    std::vector<color::SlabVertex> more;    // vertices from splits; their indices follow the vertices of the slice
+    const color::SlabTriangles* slice = nullptr; // not owned; its vertices have the first indices
+    std::vector<color::SlabVertex> more;         // vertices from splits; their indices follow the vertices of the slice
     std::vector<ciel::Index> triangles;
     std::size_t outer = 0; // number of indices in `triangles` before the first inner triangle
 };

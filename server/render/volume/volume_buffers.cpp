@@ -16,7 +16,7 @@ GLsizeiptr bytes(const std::vector<T>& items) {
     return static_cast<GLsizeiptr>(items.size() * sizeof(T));
 }
 
-void check(const color::SlabMesh& mesh) {
+void check(const color::SlabTriangles& mesh) {
     const auto largest = std::ranges::max_element(mesh.triangles);
     if (mesh.triangles.size() % 3 != 0 || (largest != mesh.triangles.end() && *largest >= mesh.vertices.size()))
         throw ciel::Error(
@@ -25,7 +25,7 @@ void check(const color::SlabMesh& mesh) {
             std::to_string(mesh.vertices.size()) + ", the number of vertices");
 }
 
-VolumeBuffers::Bounds bounds_of(const color::SlabMesh& mesh) {
+VolumeBuffers::Bounds bounds_of(const color::SlabTriangles& mesh) {
     VolumeBuffers::Bounds bounds{mesh.vertices.empty() ? ciel::Vec3f{} : mesh.vertices[0].position, {}};
     bounds.high = bounds.low;
     for (const color::SlabVertex& vertex : mesh.vertices)
@@ -36,7 +36,7 @@ VolumeBuffers::Bounds bounds_of(const color::SlabMesh& mesh) {
     return bounds;
 }
 
-std::uint64_t places_of(const color::SlabMesh& mesh) {
+std::uint64_t places_of(const color::SlabTriangles& mesh) {
     std::uint64_t hash = 0xcbf29ce484222325U;
     const auto add = [&](std::uint32_t word) { hash = (hash ^ word) * 0x100000001b3U; };
     for (const color::SlabVertex& vertex : mesh.vertices)
@@ -66,7 +66,7 @@ void VolumeBuffers::load(const Volume& volume) {
             "slices; give all of them");
     revision_ = 0; // not valid if anything below throws
     if (!same_slices)
-        for (const color::SlabMesh& slice : volume.slices) check(slice);
+        for (const color::SlabTriangles& slice : volume.slices) check(slice);
     check(*volume.boundary);
     const auto boundary = render::boundary_of_slabs(volume);
     upload_slices(sort_slices(volume, boundary));
@@ -111,7 +111,8 @@ void VolumeBuffers::upload_slices(const std::vector<SortedSlice>& slices) {
     }
 }
 
-void VolumeBuffers::upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<ciel::Index>>& lists) {
+void VolumeBuffers::upload_boundary(const color::SlabTriangles& mesh,
+                                    const std::vector<std::vector<ciel::Index>>& lists) {
     std::vector<ciel::Index> indices = mesh.triangles;
     boundary_places_ = places_of(mesh);
     bounds_ = bounds_of(mesh);

@@ -41,7 +41,7 @@ public:
 
 private:
     void upload_slices(const std::vector<SortedSlice>& slices);
-    void upload_boundary(const color::SlabMesh& mesh, const std::vector<std::vector<ciel::Index>>& lists);
+    void upload_boundary(const color::SlabTriangles& mesh, const std::vector<std::vector<ciel::Index>>& lists);
 
     const Gl& gl_;
     VertexArrays slices_, boundary_;

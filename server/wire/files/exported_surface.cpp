@@ -72,14 +72,14 @@ void write_value(std::ostream& out, const NamedValues& values, ciel::Index verte
 
 ciel::Vec3d file_origin(const std::array<double, 6>& bounds) {
     double farthest = 0;
-    ciel::Vec3d extent{}, centre{};
+    ciel::Vec3d extent{}, center{};
     for (std::size_t k = 0; k < 3; ++k) {
         farthest = std::max({farthest, std::abs(bounds[2 * k]), std::abs(bounds[2 * k + 1])});
         extent[k] = bounds[2 * k + 1] - bounds[2 * k];
-        centre[k] = std::round(bounds[2 * k] + extent[k] / 2);
+        center[k] = std::round(bounds[2 * k] + extent[k] / 2);
     }
     if (farthest <= most_diagonals_away * std::sqrt(ciel::dot(extent, extent))) return {};
-    return centre;
+    return center;
 }
 
 std::string origin_text(ciel::Vec3d origin) {

@@ -57,7 +57,7 @@ vtkSmartPointer<vtkVolumeProperty> look_of(const render::Volume& volume) {
     return look;
 }
 
-glm::dvec3 at(const color::SlabMesh& mesh, std::size_t corner) {
+glm::dvec3 at(const color::SlabTriangles& mesh, std::size_t corner) {
     const Vec3f& p = mesh.vertices[mesh.triangles[corner]].position;
     return {p[0], p[1], p[2]};
 }
@@ -68,12 +68,12 @@ void check_samples(const bench::VolumePictures& pictures) {
     const render::Volume& volume = pictures.volume();
     const glm::dvec3 normal(volume.normal[0], volume.normal[1], volume.normal[2]);
     double sliced = 0, whole = 0;
-    for (const color::SlabMesh& slice : volume.slices)
+    for (const color::SlabTriangles& slice : volume.slices)
         for (std::size_t i = 0; i < slice.triangles.size(); i += 3) {
             const glm::dvec3 a = at(slice, i), twice = glm::cross(at(slice, i + 1) - a, at(slice, i + 2) - a);
             sliced += volume.thickness * std::abs(glm::dot(twice, normal)) / 2;
         }
-    const color::SlabMesh& boundary = *volume.boundary;
+    const color::SlabTriangles& boundary = *volume.boundary;
     for (std::size_t i = 0; i < boundary.triangles.size(); i += 3)
         whole += glm::dot(at(boundary, i), glm::cross(at(boundary, i + 1), at(boundary, i + 2))) / 6;
     std::printf("    %.1f million samples by CIEL, of slices that fill %.2f %% of the mesh\n", pictures.samples() / 1e6,

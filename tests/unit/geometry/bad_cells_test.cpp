@@ -39,8 +39,8 @@ protected:
         const FaceMeshView mesh = made.mesh.view();
         const Topology topology(mesh);
         std::vector<float> cells;
-        for (const Vec3d& centre : cell_centres(topology, mesh))
-            cells.push_back(static_cast<float>(centre[0] + mesh.origin[0]));
+        for (const Vec3d& center : cell_centers(topology, mesh))
+            cells.push_back(static_cast<float>(center[0] + mesh.origin[0]));
         const std::vector<float> points = PointInterpolation(topology, mesh).apply(cells, 1);
         for (std::size_t i = 0; i < cells.size(); ++i)
             if (wrong.contains(made.original_cell[i])) cells[i] = std::numeric_limits<float>::infinity();
@@ -133,7 +133,8 @@ TEST_F(bad_cells, are_left_out_of_volumes) {
     const auto filled = [&](const std::string& name) {
         const auto shown = show(name, {{"v", volume}});
         std::size_t triangles = 0;
-        for (const color::SlabMesh& slab : shown->volumes.at(0).slabs->slices) triangles += slab.triangles.size() / 3;
+        for (const color::SlabTriangles& slab : shown->volumes.at(0).slabs->slices)
+            triangles += slab.triangles.size() / 3;
         return std::pair(triangles, shown->volumes.at(0).slabs->boundary->triangles.size() / 3);
     };
     const auto whole = filled("sound"), without = filled("bad");

@@ -36,7 +36,7 @@ protected:
     static json volume(int slices) { return {{"type", "volume"}, {"array", "p"}, {"slices", slices}}; }
     static std::size_t cut_slices(const VolumeDrawable& drawable) {
         return static_cast<std::size_t>(std::ranges::count_if(
-            drawable.slabs->slices, [](const color::SlabMesh& slice) { return !slice.triangles.empty(); }));
+            drawable.slabs->slices, [](const color::SlabTriangles& slice) { return !slice.triangles.empty(); }));
     }
 
     test::Folder folder;

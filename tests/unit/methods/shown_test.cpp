@@ -52,7 +52,7 @@ TEST_F(Methods, probes_and_picks_name_the_layer_and_the_patch) {
     const json background = client.call("scene.pick", params);
     EXPECT_EQ(background["position"], nullptr);
     EXPECT_EQ(background["layer"], nullptr);
-    EXPECT_EQ(background["centre"], json({1003, 3, -47})) << "of the body, though the pixel is beside it";
+    EXPECT_EQ(background["center"], json({1003, 3, -47})) << "of the body, though the pixel is beside it";
     EXPECT_EQ(client.call("probe.point", params)["patch"], nullptr);
     params.erase("pixel");
     params["position"] = {1001, 1, -49};

@@ -67,7 +67,7 @@ protected:
     }
 
     [[nodiscard]] bool meets_boundary(const Vec3d& from, const Vec3d& way) const {
-        const color::SlabMesh& mesh = *volume.boundary;
+        const color::SlabTriangles& mesh = *volume.boundary;
         for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
             std::array<Vec3d, 3> triangle{};
             for (std::size_t k = 0; k < 3; ++k) triangle[k] = vector_of(mesh.vertices[mesh.triangles[i + k]].position);

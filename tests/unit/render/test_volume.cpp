@@ -301,7 +301,7 @@ TEST(VolumeTest, RefusesWhatDoesNotFitTogether) {
     volume.slices = {};
     refused(volume, "lacks slices");
     volume = scene.volume({0, 1, 0}, 4);
-    color::SlabMesh broken{{}, {0, 1, 2}};
+    color::SlabTriangles broken{{}, {0, 1, 2}};
     volume.slices = std::span(&broken, 1);
     refused(volume, "less than 0, the number of vertices");
     volume = scene.volume({0, 1, 0}, 4);

@@ -13,17 +13,17 @@ using test::Box;
 
 constexpr double opacity = 0.8; // opacity of one unit of length
 
-const Vec3d off_centre{0.43, 0.57, 0.51};
+const Vec3d off_center{0.43, 0.57, 0.51};
 
 class ClippedVolumes : public testing::TestWithParam<Cut> {};
 
 INSTANTIATE_TEST_SUITE_P(
     Planes, ClippedVolumes,
-    testing::Values(Cut{"across_x", {plane_through(off_centre, {1, 0, 0})}},
-                    Cut{"across_y", {plane_through(off_centre, {0, -1, 0})}},
+    testing::Values(Cut{"across_x", {plane_through(off_center, {1, 0, 0})}},
+                    Cut{"across_y", {plane_through(off_center, {0, -1, 0})}},
                     Cut{"between_cells", {plane_through({0.25, 0.5, 0.5}, {-1, 0, 0})}},
-                    Cut{"oblique", {plane_through(off_centre, {1, -0.6, 0.35})}},
-                    Cut{"wedge", {plane_through(off_centre, {1, 0.2, 0}), plane_through(off_centre, {-0.2, 1, 0.3})}},
+                    Cut{"oblique", {plane_through(off_center, {1, -0.6, 0.35})}},
+                    Cut{"wedge", {plane_through(off_center, {1, 0.2, 0}), plane_through(off_center, {-0.2, 1, 0.3})}},
                     Cut{"sheet", {plane_through({0.4, 0, 0}, {1, 0, 0}), plane_through({0.62, 0, 0}, {-1, 0, 0})}},
                     Cut{"thinner_than_a_slab",
                         {plane_through({0.5, 0.503, 0.5}, {0.3, 1, 0.8}),
@@ -107,7 +107,7 @@ TEST(ClippedVolume, HasNoStripesWhereItIsDense) {
     constexpr double extinction = 6.9, unit = 0.05;
     VolumeScene scene(test::hexahedra(Box{{4, 4, 4}, 0, 1, 0.25}),
                       [](const Vec3d& p) { return 0.2 + 0.4 * p[0] + 0.4 * p[1]; });
-    const Cut cut{"", {plane_through(off_centre, {0.5, 0.7, 0.2})}};
+    const Cut cut{"", {plane_through(off_center, {0.5, 0.7, 0.2})}};
     for (const View& view : {views[0], views[1]}) {
         Frame frame = frame_of(view);
         frame.clip = cut.planes;

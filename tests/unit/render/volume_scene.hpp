@@ -56,8 +56,8 @@ private:
     FaceMesh mesh_;
     Topology topology_;
     test::VolumeProperty property_;
-    color::SlabMesh boundary_;
-    std::vector<color::SlabMesh> slices_;
+    color::SlabTriangles boundary_;
+    std::vector<color::SlabTriangles> slices_;
     static inline std::uint64_t revision_ = 0; // shared by all scenes, because one renderer may draw several
 };
 

@@ -1,6 +1,6 @@
 import {
   axisView,
-  centre,
+  center,
   defaultView,
   orbit,
   pan,
@@ -9,7 +9,7 @@ import {
   zoom,
   type AxisView,
   type Bounds,
-  type FullCamera,
+  type ViewCamera,
 } from "../model/camera";
 import { cameraOf } from "../model/model";
 import { sameDataset } from "../model/opening";
@@ -38,27 +38,27 @@ export class CameraCommands {
   ) {}
 
   /** Returns the camera of the newest scene. The shown picture may have been drawn with an older camera. */
-  get(): FullCamera | null {
+  get(): ViewCamera | null {
     return cameraOf(this.deps.model);
   }
 
   /** Makes a waiting turn, and then returns the camera from which a move starts. */
-  toMove(): FullCamera | null {
+  toMove(): ViewCamera | null {
     this.deps.server.editor.makeHeld();
     return this.get();
   }
 
-  set(camera: FullCamera, gesture?: string): void {
+  set(camera: ViewCamera, gesture?: string): void {
     this.deps.server.editor.change({ camera }, gesture);
   }
 
-  change(change: (camera: FullCamera) => FullCamera, gesture?: string): void {
+  change(change: (camera: ViewCamera) => ViewCamera, gesture?: string): void {
     const camera = this.toMove();
     if (camera !== null) this.set(change(camera), gesture);
   }
 
   /** Zooms about (x, y), in CSS pixels of the canvas. At the zoom limit, returns the same object `camera`. */
-  zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera {
+  zoomed(camera: ViewCamera, factor: number, x: number, y: number): ViewCamera {
     const bounds = this.bounds();
     const allowed = bounds === null ? factor : withinReach(camera, factor, bounds);
     return allowed === 1 ? camera : zoom(camera, allowed, x, y, this.deps.server.size.css);
@@ -122,14 +122,14 @@ export class CameraCommands {
     this.change((camera) => withParallel(camera, !camera.parallel));
   }
 
-  async centreOn(x: number, y: number): Promise<void> {
+  async centerOn(x: number, y: number): Promise<void> {
     const point = await this.probe(x, y);
     const camera = this.get();
     if (point === null) this.deps.tell(NOTHING_THERE);
-    else if (point !== undefined && camera !== null) this.set(centre(camera, point));
+    else if (point !== undefined && camera !== null) this.set(center(camera, point));
   }
 
-  private async framed(wholeBox: boolean, view: (bounds: Bounds, now: FullCamera) => FullCamera): Promise<void> {
+  private async framed(wholeBox: boolean, view: (bounds: Bounds, now: ViewCamera) => ViewCamera): Promise<void> {
     const { model, server } = this.deps;
     const isCurrent = sameDataset(model);
     let bounds = this.bounds();

@@ -53,7 +53,7 @@ export class ColorCommands {
     const asked = { dataset: description.name, array, time, bins: USUAL_BINS };
     try {
       const range = await percentiles(
-        (part) => server.session.call("dataset.histogram", { ...asked, ...(part !== null && { range: part }) }),
+        (range) => server.session.call("dataset.histogram", { ...asked, ...(range !== null && { range }) }),
         USUAL_SHARES,
       );
       return isCurrent() ? range : null;
@@ -70,10 +70,10 @@ export class ColorCommands {
   async rangeInView(colored: Colored): Promise<Range | null> {
     const { model, server } = this.deps;
     const isCurrent = sameDataset(model);
-    const of = async (part: keyof Colored): Promise<Range[]> => {
-      const layers = colored[part] ?? [];
+    const of = async (use: keyof Colored): Promise<Range[]> => {
+      const layers = colored[use] ?? [];
       if (layers.length === 0) return [];
-      const asked = { session: server.tab.id, layers, aspect: server.size.aspect, of: part };
+      const asked = { session: server.tab.id, layers, aspect: server.size.aspect, of: use };
       const { range } = await server.session.call("color.range", asked);
       return range === null ? [] : [range];
     };

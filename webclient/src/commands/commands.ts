@@ -59,7 +59,7 @@ export class Commands {
       turnsAbout: (x, y) => camera.turnsAbout(x, y),
       turn: (dx, dy, gesture) => camera.turn(dx, dy, gesture),
       click: (x, y) => void probe.at(x, y),
-      doubleClick: (x, y) => void camera.centreOn(x, y),
+      doubleClick: (x, y) => void camera.centerOn(x, y),
     });
   }
 

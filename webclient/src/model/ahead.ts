@@ -1,6 +1,6 @@
 // Lines and texts that the page draws over the picture for changes of the scene that the picture does not contain yet.
 // Lines are in CSS pixels of the canvas.
-import { boundsCentre, complete, corners, project, type Bounds, type FullCamera, type Size } from "./camera";
+import { boundsCenter, complete, corners, project, type Bounds, type ViewCamera, type Size } from "./camera";
 import { add, cross, dot, normalize, scale, subtract } from "./vector";
 import type { ClipLayer, Layer, Scene, SliceLayer, Vec3 } from "../generated/protocol";
 import { equal } from "./merge_patch";
@@ -50,9 +50,9 @@ export function planeOutline(origin: Vec3, normal: Vec3, bounds: Bounds): Segmen
 }
 
 function planeOf({ axis, value, origin, normal }: SliceLayer | ClipLayer, bounds: Bounds): [Vec3, Vec3] {
-  if (axis === undefined) return [origin ?? boundsCentre(bounds), normal ?? [0, 0, 1]];
+  if (axis === undefined) return [origin ?? boundsCenter(bounds), normal ?? [0, 0, 1]];
   const at = AXES.indexOf(axis);
-  const middle = boundsCentre(bounds);
+  const middle = boundsCenter(bounds);
   const on = middle.map((middle, i) => (i === at ? (value ?? middle) : middle)) as Vec3;
   return [on, AXES.map((_, i) => (i === at ? 1 : 0)) as Vec3];
 }
@@ -62,7 +62,7 @@ const placeOf = ({ axis, value, origin, normal }: SliceLayer | ClipLayer): strin
   JSON.stringify([axis, value, origin, normal]);
 
 /** Returns lines and texts for the changes from `shown` (scene of the shown picture) to `wanted` (newest scene). */
-export function ahead(shown: Scene, wanted: Scene, camera: FullCamera, bounds: Bounds, size: Size): Ahead {
+export function ahead(shown: Scene, wanted: Scene, camera: ViewCamera, bounds: Bounds, size: Size): Ahead {
   const segments: Segment[] = [];
   const words: string[] = [];
   const isTurned = !shown.camera || !wanted.camera || !equal(complete(shown.camera), complete(wanted.camera));

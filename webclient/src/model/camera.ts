@@ -9,20 +9,20 @@ export interface Size {
   height: number;
 }
 /** A camera with all defaults filled in. `up` is perpendicular to the view direction. */
-export type FullCamera = Required<Camera>;
+export type ViewCamera = Required<Camera>;
 
 export const DEFAULT_FOV = DEFAULTS.Camera.fov;
 /** Limits of the field-of-view controls in degrees. A scene may exceed these limits. */
 export const FOV_RANGE: readonly [number, number] = [1, 120];
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
-export function complete(camera: Camera): FullCamera {
+export function complete(camera: Camera): ViewCamera {
   const fov = camera.fov ?? DEFAULT_FOV;
   const distance = length(subtract(camera.position, camera.target));
   const height = camera.parallel_height ?? 2 * distance * Math.tan(radians(fov) / 2);
   const { parallel, up } = DEFAULTS.Camera;
   const full = { fov, parallel: camera.parallel ?? parallel, parallel_height: height || 1, up: camera.up ?? up };
-  const result: FullCamera = { ...full, position: camera.position, target: camera.target };
+  const result: ViewCamera = { ...full, position: camera.position, target: camera.target };
   return { ...result, up: frame(result).up };
 }
 
@@ -33,7 +33,7 @@ export interface Axes {
 }
 
 /** Returns the camera's axes as unit vectors. If `up` is parallel to the view direction, chooses another `up`. */
-export function frame(camera: FullCamera): Axes {
+export function frame(camera: ViewCamera): Axes {
   const forward = normalize(subtract(camera.target, camera.position), [0, 1, 0]);
   let right = cross(forward, camera.up);
   if (length(right) < 1e-9 * Math.max(1, length(camera.up))) {
@@ -43,10 +43,10 @@ export function frame(camera: FullCamera): Axes {
   return { right, up: cross(right, forward), forward };
 }
 
-export const distance = (camera: FullCamera): number => length(subtract(camera.target, camera.position));
+export const distance = (camera: ViewCamera): number => length(subtract(camera.target, camera.position));
 
 /** Height of the visible area at the target's depth, in length units. */
-export function viewHeight(camera: FullCamera): number {
+export function viewHeight(camera: ViewCamera): number {
   return camera.parallel ? camera.parallel_height : 2 * distance(camera) * Math.tan(radians(camera.fov) / 2);
 }
 
@@ -54,7 +54,7 @@ export function viewHeight(camera: FullCamera): number {
  * Rotates the camera about `pivot` for a drag of (dx, dy) pixels. A drag as long as the shorter side of the canvas is
  * half a turn. The pivot keeps its pixel.
  */
-export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): FullCamera {
+export function orbit(camera: ViewCamera, dx: number, dy: number, size: Size, pivot: Vec3 = camera.target): ViewCamera {
   const perPixel = Math.PI / Math.max(1, Math.min(size.width, size.height));
   const { right, up } = frame(camera);
   const turnedRight = rotate(right, up, -dx * perPixel);
@@ -64,13 +64,13 @@ export function orbit(camera: FullCamera, dx: number, dy: number, size: Size, pi
 }
 
 /** Rotates the camera about the view direction by `angle` radians. */
-export function roll(camera: FullCamera, angle: number): FullCamera {
+export function roll(camera: ViewCamera, angle: number): ViewCamera {
   const { forward, up } = frame(camera);
   return { ...camera, up: rotate(up, forward, angle) };
 }
 
 /** Moves the camera so that points at the target's depth follow a drag of (dx, dy) pixels. */
-export function pan(camera: FullCamera, dx: number, dy: number, size: Size): FullCamera {
+export function pan(camera: ViewCamera, dx: number, dy: number, size: Size): ViewCamera {
   const perPixel = viewHeight(camera) / Math.max(1, size.height);
   const { right, up } = frame(camera);
   const shift = add(scale(right, -dx * perPixel), scale(up, dy * perPixel));
@@ -78,7 +78,7 @@ export function pan(camera: FullCamera, dx: number, dy: number, size: Size): Ful
 }
 
 /** A factor below 1 moves the camera closer. The point at pixel (x, y) and at the target's depth keeps its pixel. */
-export function zoom(camera: FullCamera, factor: number, x: number, y: number, size: Size): FullCamera {
+export function zoom(camera: ViewCamera, factor: number, x: number, y: number, size: Size): ViewCamera {
   const offsetX = x - size.width / 2;
   const offsetY = y - size.height / 2;
   const towards = pan(camera, -offsetX, -offsetY, size); // the target is now the point under the cursor
@@ -91,7 +91,7 @@ export function zoom(camera: FullCamera, factor: number, x: number, y: number, s
 export const REACH: readonly [number, number] = [1e-6, 1e4];
 
 /** Returns `factor`, clamped so that the camera stays in REACH. A camera outside REACH can only move towards REACH. */
-export function withinReach(camera: FullCamera, factor: number, bounds: Bounds): number {
+export function withinReach(camera: ViewCamera, factor: number, bounds: Bounds): number {
   const away = camera.parallel ? camera.parallel_height : distance(camera);
   const [nearest, furthest] = REACH.map((reach) => (reach * (2 * boundsRadius(bounds) || 1)) / away) as [
     number,
@@ -101,12 +101,12 @@ export function withinReach(camera: FullCamera, factor: number, bounds: Bounds):
   return Math.abs(allowed - 1) < 1e-6 ? 1 : allowed; // at a limit of REACH, such a factor is only a rounding error
 }
 
-export function centre(camera: FullCamera, point: Vec3): FullCamera {
+export function center(camera: ViewCamera, point: Vec3): ViewCamera {
   return { ...camera, position: add(camera.position, subtract(point, camera.target)), target: point };
 }
 
 /** The view height at the target stays the same. */
-export function withParallel(camera: FullCamera, parallel: boolean): FullCamera {
+export function withParallel(camera: ViewCamera, parallel: boolean): ViewCamera {
   if (parallel === camera.parallel) return camera;
   if (parallel) return { ...camera, parallel, parallel_height: viewHeight(camera) };
   const away = camera.parallel_height / (2 * Math.tan(radians(camera.fov) / 2));
@@ -115,20 +115,20 @@ export function withParallel(camera: FullCamera, parallel: boolean): FullCamera 
 }
 
 /** `fov` is in degrees. The view height at the target stays the same. */
-export function withFieldOfView(camera: FullCamera, fov: number): FullCamera {
+export function withFieldOfView(camera: ViewCamera, fov: number): ViewCamera {
   const away = viewHeight(camera) / (2 * Math.tan(radians(fov) / 2));
   const arm = scale(normalize(subtract(camera.position, camera.target)), away);
   return { ...camera, fov, position: add(camera.target, arm) };
 }
 
 /** `height`: see viewHeight(). A perspective camera changes its distance from the target, not its field of view. */
-export function withViewHeight(camera: FullCamera, height: number): FullCamera {
+export function withViewHeight(camera: ViewCamera, height: number): ViewCamera {
   if (camera.parallel) return { ...camera, parallel_height: height };
   const arm = scale(subtract(camera.position, camera.target), height / viewHeight(camera));
   return { ...camera, position: add(camera.target, arm) };
 }
 
-export const boundsCentre = (b: Bounds): Vec3 => [(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2];
+export const boundsCenter = (b: Bounds): Vec3 => [(b[0] + b[1]) / 2, (b[2] + b[3]) / 2, (b[4] + b[5]) / 2];
 export const boundsRadius = (b: Bounds): number => Math.hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]) / 2;
 
 export function corners(b: Bounds): Vec3[] {
@@ -146,8 +146,8 @@ export function fit(
   aspect: number,
   fov = DEFAULT_FOV,
   parallel = false,
-): FullCamera {
-  const target = boundsCentre(bounds);
+): ViewCamera {
+  const target = boundsCenter(bounds);
   const start = { position: subtract(target, forward), target, up, fov, parallel, parallel_height: 1 };
   const axes = frame(start);
   const tan = Math.tan(radians(fov) / 2);
@@ -167,7 +167,7 @@ export type AxisView = "+x" | "-x" | "+y" | "-y" | "+z" | "-z";
 export const AXIS_VIEWS: readonly AxisView[] = ["+x", "-x", "+y", "-y", "+z", "-z"];
 
 /** Returns a view of the box along an axis. "+x" is a view from the positive x side of the box. */
-export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: number, parallel: boolean): FullCamera {
+export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: number, parallel: boolean): ViewCamera {
   const sign = side.startsWith("+") ? -1 : 1;
   const forward: Vec3 = [0, 0, 0];
   const axis = "xyz".indexOf(side.charAt(1)) as 0 | 1 | 2;
@@ -179,7 +179,7 @@ export function axisView(side: AxisView, bounds: Bounds, aspect: number, fov: nu
  * Returns a view of the whole box from the side of larger x, smaller y and larger z. The server's default view has the
  * same direction, and also leaves room for annotations.
  */
-export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): FullCamera {
+export function defaultView(bounds: Bounds, aspect: number, fov = DEFAULT_FOV, parallel = false): ViewCamera {
   return complete({ ...defaultCamera(bounds, aspect, fov), parallel });
 }
 
@@ -201,9 +201,9 @@ function edgePoints(bounds: Bounds): Vec3[] {
  * Returns the camera, moved back until no edge of the box lies behind a legend. `taken`: sizes of rectangles at the top
  * right corner of the canvas.
  */
-export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken: Size[]): FullCamera {
+export function clearOf(camera: ViewCamera, bounds: Bounds, size: Size, ...taken: Size[]): ViewCamera {
   const points = edgePoints(bounds);
-  const covered = (view: FullCamera): boolean =>
+  const covered = (view: ViewCamera): boolean =>
     points.some((point) => {
       const place = project(view, point, size);
       if (place === null) return false;
@@ -221,7 +221,7 @@ export function clearOf(camera: FullCamera, bounds: Bounds, size: Size, ...taken
  * Returns the pixel of a point, and its distance from the camera along the view direction. Returns null for a point
  * that is not in front of a perspective camera.
  */
-export function project(camera: FullCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
+export function project(camera: ViewCamera, point: Vec3, size: Size): { x: number; y: number; depth: number } | null {
   const { right, up, forward } = frame(camera);
   const arm = subtract(point, camera.position);
   const depth = dot(arm, forward);

@@ -2,7 +2,7 @@
 import type { Signal } from "@preact/signals";
 import { LIMITS } from "../generated/protocol";
 import { clamp } from "./numbers";
-import { clearOf, type Bounds, type FullCamera, type Size } from "./camera";
+import { clearOf, type Bounds, type ViewCamera, type Size } from "./camera";
 
 /** Smallest and largest side of a view in pixels. */
 export const [SMALLEST, LARGEST] = LIMITS["view.open"].width;
@@ -51,7 +51,7 @@ export class CanvasSize {
     }));
   }
 
-  clearOfCorner(camera: FullCamera, bounds: Bounds): FullCamera {
+  clearOfCorner(camera: ViewCamera, bounds: Bounds): ViewCamera {
     return clearOf(camera, bounds, this.css, ...this.corner);
   }
 

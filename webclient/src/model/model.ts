@@ -1,7 +1,7 @@
 // The page's state as Preact signals. Code that reads a signal runs again when the value of the signal changes.
 // server/, view/ and commands/ write the signals; panels/ only reads the signals.
 import { batch, computed, signal, type ReadonlySignal, type Signal } from "@preact/signals";
-import { complete, defaultView, type FullCamera } from "./camera";
+import { complete, defaultView, type ViewCamera } from "./camera";
 import { openingDataset } from "./opening";
 import { stillDue } from "./still_due";
 import { initialState, type PageState } from "./state";
@@ -13,7 +13,7 @@ interface Derived {
    * Camera of the shown picture; null if its scene has no camera. Also null for polygons, because the page draws
    * polygons with the newest camera.
    */
-  readonly shownFrom: ReadonlySignal<FullCamera | null>;
+  readonly shownFrom: ReadonlySignal<ViewCamera | null>;
 }
 
 export type Model = Signals<PageState> & Derived;
@@ -46,7 +46,7 @@ export function update(model: Model, change: Partial<PageState>): void {
  * Returns the camera of the newest scene. If the scene has no camera, returns the camera that the server chose, or the
  * default view until the server's answer has arrived. null: no scene, or no description of its dataset.
  */
-export function cameraOf(model: Model): FullCamera | null {
+export function cameraOf(model: Model): ViewCamera | null {
   const scene = model.scene.value;
   if (scene === null) return null;
   if (scene.camera) return complete(scene.camera);

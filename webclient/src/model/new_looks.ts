@@ -1,5 +1,5 @@
 // Colors of new layers: a color that no other layer of the type has, or the existing color scale of the array.
-import { complete, type FullCamera } from "./camera";
+import { complete, type ViewCamera } from "./camera";
 import { dot, subtract, type Vec3 } from "./vector";
 import type { Camera, ClipLayer, Coloring, DatasetDescription, Layer } from "../generated/protocol";
 import { AXES } from "./axes";
@@ -69,7 +69,7 @@ export function capColoring(scene: Layered | null, description: Described): Pick
  * Returns whether a new clip must be inverted: whether its normal points away from the camera. A clip keeps the half
  * opposite to its normal, and a half on the camera's side hides the cut.
  */
-export function keepsFarHalf(normal: Vec3, camera: Camera | FullCamera | null): boolean {
+export function keepsFarHalf(normal: Vec3, camera: Camera | ViewCamera | null): boolean {
   if (camera === null) return false;
   const { position, target } = complete(camera);
   return dot(normal, subtract(position, target)) < 0;

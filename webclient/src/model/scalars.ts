@@ -111,7 +111,7 @@ export interface Colored {
 export type ScaledColoring = Coloring & { array: string };
 
 interface ScaleOf {
-  part: keyof Colored;
+  use: keyof Colored;
   id: string;
   coloring: ScaledColoring;
 }
@@ -124,17 +124,17 @@ function scalesOfCaps(scene: Layered | null, layer: Layer): ScaleOf[] {
   return layersOf(scene, "clip").flatMap(([id, { visible, caps, color }]) =>
     visible === false || caps === false || color?.array === undefined
       ? []
-      : [{ part: "layers" as const, id, coloring: { ...color, array: color.array } }],
+      : [{ use: "layers" as const, id, coloring: { ...color, array: color.array } }],
   );
 }
 
 function scalesOf(scene: Layered | null, id: string, layer: Layer): ScaleOf[] {
   if (layer.type === "outline" || layer.type === "clip") return [];
   const array = layer.type === "volume" ? layer.array : layer.color?.array;
-  const own = array === undefined ? [] : [{ part: "layers" as const, id, coloring: { ...layer.color, array } }];
+  const own = array === undefined ? [] : [{ use: "layers" as const, id, coloring: { ...layer.color, array } }];
   const lines = layer.type === "slice" && layer.contours?.visible !== false ? layer.contours : undefined;
   if (lines?.coloring === undefined) return [...own, ...scalesOfCaps(scene, layer)];
-  return [...own, { part: "contours", id, coloring: { ...lines.coloring, array: lines.array } }];
+  return [...own, { use: "contours", id, coloring: { ...lines.coloring, array: lines.array } }];
 }
 
 export interface LegendOf {
@@ -156,13 +156,13 @@ export function legendsOf(
   const found = new Map<string, Omit<LegendOf, "name"> & { names: string[] }>();
   for (const [id, layer] of layersInOrder(scene)) {
     if (layer.visible === false || empty.some((one) => one.layer === id)) continue;
-    for (const { part, id: of, coloring: own } of scalesOf(scene, id, layer)) {
+    for (const { use, id: of, coloring: own } of scalesOf(scene, id, layer)) {
       const coloring = { ...own, array: fullName(description, own.array) };
       const { array, range, symmetric } = coloring;
       const key = JSON.stringify([array, range ?? null, symmetric === true, scaleOf(coloring, [0, 1])]);
       const legend = found.get(key) ?? { coloring, of: { layers: [], contours: [] }, names: [] };
-      if (!legend.of[part].includes(of)) legend.of[part].push(of);
-      legend.names.push(legendNameOf(layer, part));
+      if (!legend.of[use].includes(of)) legend.of[use].push(of);
+      legend.names.push(legendNameOf(layer, use));
       found.set(key, legend);
     }
   }

@@ -1,5 +1,5 @@
 // Edits of slice layers: plane and looks of a new slice, change to another plane, and equal looks for all slices.
-import { boundsCentre, type Bounds } from "./camera";
+import { boundsCenter, type Bounds } from "./camera";
 import type { Coloring, SliceLayer, Vec3 } from "../generated/protocol";
 import { diff, equal, type JsonObject } from "./merge_patch";
 import { AXES, endsOf, type Across } from "./axes";
@@ -33,7 +33,7 @@ function freshPlane(slices: Slices, across: Across, bounds: Bounds): Plane {
     return { axis: across, value: widestGap(values, endsOf(across, bounds)) };
   }
   const isUsed = (normal: Vec3): boolean => slices.some(([, slice]) => equal(slice.normal, normal));
-  return { origin: boundsCentre(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
+  return { origin: boundsCenter(bounds), normal: NORMALS.find((normal) => !isUsed(normal)) ?? [1, 1, 0] };
 }
 
 /**
@@ -53,7 +53,7 @@ export function planeChange(slices: Slices, slice: SliceLayer, across: Across, b
   const { axis, value } = slice;
   if (across === (axis ?? "free")) return {};
   if (across === "free") {
-    const origin = boundsCentre(bounds).map((middle, i) => (AXES[i] === axis ? (value ?? middle) : middle));
+    const origin = boundsCenter(bounds).map((middle, i) => (AXES[i] === axis ? (value ?? middle) : middle));
     return { axis: null, value: null, origin, normal: AXES.map((other) => (other === axis ? 1 : 0)) };
   }
   if (axis !== undefined) return freshPlane(slices, across, bounds);

@@ -1,5 +1,5 @@
 // Members of the page's state. model.ts makes one signal for each member.
-import type { FullCamera, Size } from "./camera";
+import type { ViewCamera, Size } from "./camera";
 import type {
   CellExtremes,
   DatasetDescription,
@@ -94,7 +94,7 @@ export interface PageState {
   /** Newest scene, with changes that the server has not accepted yet. */
   scene: Scene | null;
   /** Camera that the server chose for a scene of `dataset` that has no camera. */
-  seenFrom: { dataset: string; camera: FullCamera } | null;
+  seenFrom: { dataset: string; camera: ViewCamera } | null;
   canUndo: boolean;
   canRedo: boolean;
   /** Whether the server has not yet accepted the newest change. */

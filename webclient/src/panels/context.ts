@@ -3,7 +3,7 @@ import { useComputed } from "@preact/signals";
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { Commands } from "../commands/commands";
-import type { FullCamera } from "../model/camera";
+import type { ViewCamera } from "../model/camera";
 import type { Layered } from "../model/layer_order";
 import { cameraOf, type Model } from "../model/model";
 import { shownTime } from "../model/scalars";
@@ -37,6 +37,6 @@ export function useLayers(): Layered {
 export const useShownTime = (): number => useModel((model) => shownTime(model.description.value, model.scene.value));
 
 /** Returns the camera of the shown picture, which may be older than the camera of the scene. */
-export function useCamera(): FullCamera | null {
+export function useCamera(): ViewCamera | null {
   return useModel((model) => model.shownFrom.value ?? cameraOf(model));
 }

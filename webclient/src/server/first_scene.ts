@@ -1,6 +1,6 @@
 // First scene of a page: the scene of the link, of the tab's session, or of the first usable dataset.
 import type { Camera, DatasetDescription, Scene } from "../generated/protocol";
-import { complete, defaultView, distance, fit, type Bounds, type FullCamera } from "../model/camera";
+import { complete, defaultView, distance, fit, type Bounds, type ViewCamera } from "../model/camera";
 import { subtract } from "../model/vector";
 import { RpcError } from "./rpc";
 import { legendsOf } from "../model/scalars";
@@ -16,7 +16,7 @@ export interface FirstSceneOptions {
   background: "dark" | "light";
 }
 
-function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect: number): FullCamera {
+function openingCamera(camera: Camera | null | undefined, bounds: Bounds, aspect: number): ViewCamera {
   if (!camera || distance(complete(camera)) === 0) return defaultView(bounds, aspect);
   const { position, target, up, fov, parallel } = complete(camera);
   return fit(bounds, subtract(target, position), up, aspect, fov, parallel);

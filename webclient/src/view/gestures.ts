@@ -1,13 +1,13 @@
 // Converts pointer, wheel and touch events on the canvas to camera moves.
-import { pan, roll, type FullCamera, type Size } from "../model/camera";
+import { pan, roll, type ViewCamera, type Size } from "../model/camera";
 
 export interface GestureTarget {
-  camera(): FullCamera | null;
+  camera(): ViewCamera | null;
   size(): Size; // size of the canvas in CSS pixels
   /** Returns the camera zoomed about pixel (x, y), or the same camera at the limit of zooming. */
-  zoomed(camera: FullCamera, factor: number, x: number, y: number): FullCamera;
+  zoomed(camera: ViewCamera, factor: number, x: number, y: number): ViewCamera;
   /** Moves the camera. `gesture` is the same name from press to release. */
-  move(camera: FullCamera, gesture: string): void;
+  move(camera: ViewCamera, gesture: string): void;
   newGesture(): string;
   /** Begins an orbit about the surface point at pixel (x, y). */
   turnsAbout(x: number, y: number): void;
@@ -105,14 +105,14 @@ class Gestures {
     this.target.move(next, this.gesture);
   }
 
-  private dragged(camera: FullCamera, before: Finger, now: Finger): FullCamera {
+  private dragged(camera: ViewCamera, before: Finger, now: Finger): ViewCamera {
     const size = this.target.size();
     if (this.drag === "pan") return pan(camera, now.x - before.x, now.y - before.y, size);
     const angle = ({ x, y }: Finger): number => Math.atan2(y - size.height / 2, x - size.width / 2);
     return roll(camera, angle(before) - angle(now));
   }
 
-  private pinched(camera: FullCamera, before: Finger, now: Finger, other: Finger): FullCamera {
+  private pinched(camera: ViewCamera, before: Finger, now: Finger, other: Finger): ViewCamera {
     const size = this.target.size();
     const spread = (finger: Finger): number => Math.max(1, Math.hypot(finger.x - other.x, finger.y - other.y));
     const moved = pan(camera, (now.x - before.x) / 2, (now.y - before.y) / 2, size);

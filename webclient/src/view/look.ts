@@ -1,10 +1,10 @@
 // Camera, bounding box, background and lights of a picture of polygons.
-import type { Bounds, FullCamera } from "../model/camera";
+import type { Bounds, ViewCamera } from "../model/camera";
 import type { Rgb } from "../wasm/background";
 import type { Lights } from "../model/lights";
 
 export interface Look {
-  camera: FullCamera;
+  camera: ViewCamera;
   bounds: Bounds;
   backgroundTop: Rgb;
   backgroundBottom: Rgb;

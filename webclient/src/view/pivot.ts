@@ -1,5 +1,5 @@
 // Center of an orbit: the surface point under the cursor, otherwise the center of the drawn geometry.
-import type { FullCamera } from "../model/camera";
+import type { ViewCamera } from "../model/camera";
 import type { Vec3 } from "../generated/protocol";
 import type { Server } from "../server/server";
 
@@ -39,8 +39,8 @@ export class Pivot {
     const { width, height } = size.pixels();
     const ratio = width / size.css.width;
     session.call("scene.pick", { session: tab.id, pixel: [x * ratio, y * ratio], width, height }).then(
-      ({ position, centre }) => {
-        const at = position ?? centre;
+      ({ position, center }) => {
+        const at = position ?? center;
         if (turn === this.asked && at !== null) this.known = { dataset, at };
         finish();
       },
@@ -48,7 +48,7 @@ export class Pivot {
     );
   }
 
-  of(camera: FullCamera): Vec3 {
+  of(camera: ViewCamera): Vec3 {
     return this.known !== null && this.known.dataset === this.server.model.scene.peek()?.dataset
       ? this.known.at
       : camera.target;

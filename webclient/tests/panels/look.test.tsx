@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { describe, expect, test } from "vitest";
 import type { Scene } from "../../src/generated/protocol";
-import { complete, type FullCamera } from "../../src/model/camera";
+import { complete, type ViewCamera } from "../../src/model/camera";
 import { CameraSection } from "../../src/panels/look/camera_section";
 import { ViewSection } from "../../src/panels/look/view_section";
 import { stand, type Stand } from "./stand";
@@ -69,9 +69,9 @@ test("annotations are switched, titled and sized", () => {
 
 describe("the camera", () => {
   /** Applies a recorded change of the camera. */
-  const changed = ([name, change]: Stand["calls"][number]): FullCamera => {
+  const changed = ([name, change]: Stand["calls"][number]): ViewCamera => {
     expect(name).toBe("camera.change");
-    return (change as (camera: FullCamera) => FullCamera)(complete(scene.camera as FullCamera));
+    return (change as (camera: ViewCamera) => ViewCamera)(complete(scene.camera as ViewCamera));
   };
 
   test("takes a position, a target and an up direction", () => {

@@ -33,7 +33,7 @@ struct FaceCells {
 [[nodiscard]] FaceCells read_cells(const FaceMeshView& mesh, Index face);
 
 struct FaceShape {
-    Vec3d centre{}; // offset from the mesh's origin
+    Vec3d center{}; // offset from the mesh's origin
     Vec3d area{};   // normal of the face, pointing out of the owner; its length is the area
 };
 

@@ -17,16 +17,16 @@ constexpr std::size_t grain = 4096;
 // Returns the centroid of a cell. `faces`: the faces of the cell, with areas that point out of the cell.
 Vec3d centroid(std::span<const FaceShape> faces) {
     Vec3d guess{};
-    for (const FaceShape& face : faces) guess = guess + face.centre;
+    for (const FaceShape& face : faces) guess = guess + face.center;
     guess = (1 / std::max(static_cast<double>(faces.size()), 1.0)) * guess;
 
     // The mean of the centroids of the pyramids from the guess to each face, weighted by volume.
     Vec3d moment{};
     double volume = 0;
     for (const FaceShape& face : faces) {
-        const double part = std::max(0.0, dot(face.area, face.centre - guess) / 3);
+        const double part = std::max(0.0, dot(face.area, face.center - guess) / 3);
         volume += part;
-        moment = moment + part * (0.75 * face.centre + 0.25 * guess);
+        moment = moment + part * (0.75 * face.center + 0.25 * guess);
     }
     return volume > 0 ? (1 / volume) * moment : guess;
 }
@@ -72,11 +72,11 @@ void for_cell_shapes(const Topology& topology, const FaceMeshView& points, const
     });
 }
 
-std::vector<Vec3d> cell_centres(const Topology& topology, const FaceMeshView& points) {
-    std::vector<Vec3d> centres(topology.counts().cells);
+std::vector<Vec3d> cell_centers(const Topology& topology, const FaceMeshView& points) {
+    std::vector<Vec3d> centers(topology.counts().cells);
     for_cell_shapes(topology, points,
-                    [&](Index cell, std::span<const FaceShape>, const Vec3d& centre) { centres[cell] = centre; });
-    return centres;
+                    [&](Index cell, std::span<const FaceShape>, const Vec3d& center) { centers[cell] = center; });
+    return centers;
 }
 
 } // namespace ciel

@@ -56,10 +56,10 @@ private:
 } // namespace
 
 PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshView& mesh) {
-    std::vector<Vec3d> centres = cell_centres(topology, mesh);
+    std::vector<Vec3d> centers = cell_centers(topology, mesh);
     const std::vector<CellAtVertex> collapsed = at_collapsed_faces(topology, mesh);
     for (const CellAtVertex& at : collapsed)
-        if (topology.half_edge_begin(at.cell) == no_half_edge) centres[at.cell] = position(mesh, at.vertex);
+        if (topology.half_edge_begin(at.cell) == no_half_edge) centers[at.cell] = position(mesh, at.vertex);
     find_cells(topology, collapsed);
     weight_.assign(cell_.size(), 0.0F);
     const BoundaryNormals normals(mesh);
@@ -70,7 +70,7 @@ PointInterpolation::PointInterpolation(const Topology& topology, const FaceMeshV
             const std::span<const Index> cells(cell_.data() + offset_[vertex], offset_[vertex + 1] - offset_[vertex]);
             const Vec3d at = position(mesh, static_cast<Index>(vertex));
             displacements.clear();
-            for (const Index cell : cells) displacements.push_back(centres[cell] - at);
+            for (const Index cell : cells) displacements.push_back(centers[cell] - at);
             weights.resize(cells.size());
             linear_weights(displacements, normals.at(vertex), weights);
             for (std::size_t i = 0; i < weights.size(); ++i)

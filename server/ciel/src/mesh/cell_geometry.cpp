@@ -20,12 +20,12 @@ FaceShape face_shape(const FaceMeshView& mesh, std::span<const Index> loop) {
     FaceShape shape;
     for_each_triangle([&](Vec3d area, Vec3d) { shape.area = shape.area + area; });
     double total = 0;
-    for_each_triangle([&](Vec3d area, Vec3d centre) {
+    for_each_triangle([&](Vec3d area, Vec3d center) {
         const double share = dot(area, shape.area);
         total += share;
-        shape.centre = shape.centre + share * centre;
+        shape.center = shape.center + share * center;
     });
-    shape.centre = total > 0 ? (1 / total) * shape.centre : mean;
+    shape.center = total > 0 ? (1 / total) * shape.center : mean;
     return shape;
 }
 

@@ -197,7 +197,7 @@ Vec3d CellWinding::position(Index local) const {
     return {positions[at], positions[at + 1], positions[at + 2]};
 }
 
-Vec3d CellWinding::centre() const {
+Vec3d CellWinding::center() const {
     Vec3d sum{};
     for (Index local = 0; local < vertices_.size(); ++local) {
         const Vec3d p = position(local);
@@ -207,10 +207,10 @@ Vec3d CellWinding::centre() const {
     return sum;
 }
 
-double CellWinding::signed_volume(const Vec3d& centre) const {
+double CellWinding::signed_volume(const Vec3d& center) const {
     const auto arm = [&](Index half_edge) {
         const Vec3d p = position(from_[half_edge]);
-        return Vec3d{p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]};
+        return Vec3d{p[0] - center[0], p[1] - center[1], p[2] - center[2]};
     };
     double six_volumes = 0;
     for (const Face& face : faces_) {
@@ -237,8 +237,8 @@ CellWinding::Verdict CellWinding::judge(Index cell, std::span<std::uint8_t> turn
         verdict.bad = Reason::too_few_faces;
     } else {
         verdict.bad = make_agree();
-        verdict.centre = centre();
-        verdict.volume = signed_volume(verdict.centre);
+        verdict.center = center();
+        verdict.volume = signed_volume(verdict.center);
         if (!verdict.bad && !std::isfinite(verdict.volume)) verdict.bad = Reason::inside_out_unresolved;
     }
     forget();

@@ -17,7 +17,7 @@ public:
     struct Verdict {
         std::optional<BadCells::Reason> bad;
         double volume = 0; // absolute value
-        Vec3d centre{};    // mean of the cell's vertices
+        Vec3d center{};    // mean of the cell's vertices
     };
     // Sets `turn[f]` to 1 for each input face of the cell that must be reversed to point outwards, else to 0.
     Verdict judge(Index cell, std::span<std::uint8_t> turn);
@@ -44,8 +44,8 @@ private:
     Index joined(Index lobe);
     [[nodiscard]] Index target(Index half_edge) const;
     [[nodiscard]] Vec3d position(Index local) const;
-    [[nodiscard]] Vec3d centre() const;
-    [[nodiscard]] double signed_volume(const Vec3d& centre) const;
+    [[nodiscard]] Vec3d center() const;
+    [[nodiscard]] double signed_volume(const Vec3d& center) const;
 
     const InputFaces& input_;
     std::vector<Index> local_of_; // input vertex -> local vertex; none if not in this cell

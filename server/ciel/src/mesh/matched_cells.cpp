@@ -28,20 +28,20 @@ struct Judged {
     std::vector<Index> order;                         // the good cells along the Hilbert curve
 };
 
-std::vector<std::uint64_t> curve_keys(const Judged& judged, std::span<const Vec3d> centre) {
+std::vector<std::uint64_t> curve_keys(const Judged& judged, std::span<const Vec3d> center) {
     Vec3d low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-    for (std::size_t c = 0; c < centre.size(); ++c) {
+    for (std::size_t c = 0; c < center.size(); ++c) {
         if (judged.bad[c]) continue;
         for (std::size_t i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], centre[c][i]);
-            high[i] = std::max(high[i], centre[c][i]);
+            low[i] = std::min(low[i], center[c][i]);
+            high[i] = std::max(high[i], center[c][i]);
         }
     }
     const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2], 1e-300});
-    std::vector<std::uint64_t> key(centre.size());
+    std::vector<std::uint64_t> key(center.size());
     parallel_for(key.size(), cells_per_task, [&](std::size_t begin, std::size_t end) {
         for (std::size_t c = begin; c < end; ++c) {
-            const Vec3d& p = centre[c];
+            const Vec3d& p = center[c];
             key[c] = hilbert_key({(p[0] - low[0]) / extent, (p[1] - low[1]) / extent, (p[2] - low[2]) / extent});
         }
     });
@@ -63,7 +63,7 @@ Judged judge_cells(const InputFaces& input) {
     judged.bad.resize(cells);
     judged.volume.resize(cells);
     judged.turn.resize(input.face_count());
-    std::vector<Vec3d> centre(cells);
+    std::vector<Vec3d> center(cells);
     // Few tasks, because each CellWinding allocates a table with one entry per mesh vertex.
     const std::size_t grain = std::max(cells_per_task, cells / (std::size_t{4} * thread_count()) + 1);
     parallel_for(cells, grain, [&](std::size_t begin, std::size_t end) {
@@ -72,10 +72,10 @@ Judged judge_cells(const InputFaces& input) {
             const CellWinding::Verdict verdict = winding.judge(static_cast<Index>(c), judged.turn);
             judged.bad[c] = verdict.bad;
             judged.volume[c] = verdict.volume;
-            centre[c] = verdict.centre;
+            center[c] = verdict.center;
         }
     });
-    judged.order = curve_order(judged, curve_keys(judged, centre));
+    judged.order = curve_order(judged, curve_keys(judged, center));
     return judged;
 }
 

@@ -1,6 +1,6 @@
 // Settings of the planes that clip all layers: position, kept side, caps.
 import type { JSX } from "preact";
-import { boundsCentre } from "../../model/camera";
+import { boundsCenter } from "../../model/camera";
 import type { ClipLayer } from "../../generated/protocol";
 import { AXES, type Across } from "../../model/axes";
 import { capColoring, keepsFarHalf, normalOf } from "../../model/new_looks";
@@ -72,15 +72,15 @@ export function ClipSection(): JSX.Element {
   const full = clips.filter(([, layer]) => layer.visible !== false).length >= MOST_SHOWN;
   const add = (across: Across): void => {
     if (description === null) return;
-    const centre = boundsCentre(description.bounds);
+    const center = boundsCenter(description.bounds);
     const normal = normalOf(across);
     const looks = {
       ...capColoring(layers, description),
       ...(keepsFarHalf(normal, commands.camera.get()) && { invert: true }),
     };
-    if (across === "free") commands.layers.add("clip", { type: "clip", origin: centre, normal, ...looks });
+    if (across === "free") commands.layers.add("clip", { type: "clip", origin: center, normal, ...looks });
     else {
-      const value = centre[AXES.indexOf(across)] ?? 0;
+      const value = center[AXES.indexOf(across)] ?? 0;
       commands.layers.add(`clip-${across}`, { type: "clip", axis: across, value, ...looks });
     }
   };

@@ -1,6 +1,6 @@
 // Fields of a free plane: position along the plane's normal, origin, normal.
 import type { JSX } from "preact";
-import { boundsCentre, corners, frame } from "../../model/camera";
+import { boundsCenter, corners, frame } from "../../model/camera";
 import { add, dot, normalize, scale, subtract } from "../../model/vector";
 import type { Vec3 } from "../../generated/protocol";
 import { clamp, formatNumber, sliderTrack } from "../../model/numbers";
@@ -21,18 +21,18 @@ export function PlaneFields({ id, origin, normal }: PlaneProps): JSX.Element {
   const commands = useCommands();
   const description = useModel((model) => model.description.value);
   const direction = normalize(normal);
-  const centre = description === null ? origin : boundsCentre(description.bounds);
+  const center = description === null ? origin : boundsCenter(description.bounds);
   const reach =
     description === null
       ? 1
-      : Math.max(...corners(description.bounds).map((at) => dot(subtract(at, centre), direction)));
-  const offset = dot(subtract(origin, centre), direction);
+      : Math.max(...corners(description.bounds).map((at) => dot(subtract(at, center), direction)));
+  const offset = dot(subtract(origin, center), direction);
   const moveTo = (to: number, gesture?: string): void =>
     commands.layers.set(id, { origin: tidy(add(origin, scale(direction, to - offset))) }, gesture);
   const face = (): void => {
     const camera = commands.camera.get();
     if (camera !== null)
-      commands.layers.set(id, { origin: tidy(centre), normal: tidy(scale(frame(camera).forward, -1)) });
+      commands.layers.set(id, { origin: tidy(center), normal: tidy(scale(frame(camera).forward, -1)) });
   };
   return (
     <>

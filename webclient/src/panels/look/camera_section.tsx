@@ -7,7 +7,7 @@ import {
   withFieldOfView,
   withParallel,
   withViewHeight,
-  type FullCamera,
+  type ViewCamera,
 } from "../../model/camera";
 import { cross, length, subtract } from "../../model/vector";
 import type { Vec3 } from "../../generated/protocol";
@@ -50,10 +50,10 @@ function FieldOfView({ fov }: { fov: number }): JSX.Element {
   );
 }
 
-function Places({ camera }: { camera: FullCamera }): JSX.Element {
+function Places({ camera }: { camera: ViewCamera }): JSX.Element {
   const commands = useCommands();
   const span = distance(camera);
-  const set = (change: Partial<FullCamera>): void => {
+  const set = (change: Partial<ViewCamera>): void => {
     const next = { ...camera, ...change };
     const sight = subtract(next.target, next.position);
     if (length(sight) === 0)

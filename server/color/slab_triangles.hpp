@@ -1,7 +1,7 @@
-// SlabMesh: a slice of a volume, or its boundary, as triangles (paper, sections 2 and 3). The volume is divided into
-// parallel slabs, and a slice is the cut by the middle plane of a slab. The property is the scalar that is drawn. With
-// the value and the gradient at each vertex, a renderer can evaluate the property along any ray through the slab, and
-// look up its color in a TransferTable.
+// SlabTriangles: a slice of a volume, or its boundary, as triangles (paper, sections 2 and 3). The volume is divided
+// into parallel slabs, and a slice is the cut by the middle plane of a slab. The property is the scalar that is drawn.
+// With the value and the gradient at each vertex, a renderer can evaluate the property along any ray through the slab,
+// and look up its color in a TransferTable.
 #pragma once
 
 #include "ciel/types.hpp"
@@ -22,7 +22,7 @@ struct SlabVertex {
 
 // Polygons as triangle fans. All triangles of a polygon start at the same vertex, which has the limits of the polygon's
 // cell. Different polygons start at different vertices.
-struct SlabMesh {
+struct SlabTriangles {
     std::vector<SlabVertex> vertices;
     std::vector<ciel::Index> triangles; // three indices in `vertices` for each triangle
 
