@@ -29,15 +29,13 @@ wire::FrameHeader header_of(const View& view, const FrameRequest& request, const
     return header;
 }
 
-constexpr std::chrono::milliseconds others_wait{500}; // after it, a still picture gives way to waiting frames
-
 struct GivenUp {};
 struct GivesWay {};
 
 // Throws if the frame must not be finished. The renderer calls this function between its passes.
 void check_wanted(const FrameRequest& request, const FrameWorkers& workers) {
     if (request.stop.stop_requested() || workers.draining()) throw GivenUp();
-    if (request.gives_way && Clock::now() - request.started > others_wait && workers.has_waiting()) throw GivesWay();
+    if (request.gives_way_at(Clock::now()) && workers.has_waiting()) throw GivesWay();
 }
 
 std::vector<std::string> lacking_in(const geometry::Geometry& geometry, const scene::Lighting& lighting,

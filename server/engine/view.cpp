@@ -13,10 +13,7 @@
 namespace server::engine {
 namespace {
 
-constexpr std::chrono::milliseconds quiet{150};    // time from the last change or frame to a still picture
-constexpr std::chrono::milliseconds patience{500}; // a superseded frame that has run for less is not cancelled
 constexpr double slow_frame_ms = 1000, slow_still_ms = 10'000; // slower frames are logged
-constexpr unsigned most_ways_given = 3;                        // a still picture gives way at most this many times
 
 } // namespace
 
@@ -27,23 +24,15 @@ View::View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_p
 
 void View::offer(std::shared_ptr<const sessions::SceneVersion> version) {
     const std::scoped_lock lock(mutex_);
-    if (newest_ && version->revision < newest_->revision) return;
-    newest_ = version;
-    mailbox_.put(std::move(version));
-    still_wanted_ = nullptr;
-    quiet_until_ = Clock::now() + quiet;
-    if (working_ && (working_on_still_ || (!gave_up_ && Clock::now() - started_ > patience))) stop_.request_stop();
-    schedule();
+    schedule_.offer(std::move(version), Clock::now());
+    post_job();
 }
 
 void View::again() {
-    if (!newest_) return;
-    mailbox_.put(newest_);
-    still_wanted_ = nullptr;
+    if (!schedule_.again()) return;
     content_.clear();
     ids_of_frame_.clear(); // all arrays are sent again, because the client may have lost some
-    if (working_) stop_.request_stop();
-    schedule();
+    post_job();
 }
 
 void View::resize(std::uint32_t width, std::uint32_t height, std::optional<double> pixel_ratio) {
@@ -65,67 +54,57 @@ void View::acknowledge(std::uint32_t frame) {
     if (frame > sent_ || !window_.acknowledged(frame, Clock::now())) return;
     held_ = frame;
     ids_of_frame_.erase(ids_of_frame_.begin(), ids_of_frame_.lower_bound(frame));
-    quiet_until_ = Clock::now() + quiet; // a still picture waits again, because the user may react to the frame
-    schedule();
+    schedule_.acknowledged(Clock::now());
+    post_job();
 }
 
 void View::look_again() {
     const std::scoped_lock lock(mutex_);
-    schedule();
+    post_job();
 }
 
 void View::close() {
     const std::scoped_lock lock(mutex_);
-    closed_ = true;
-    stop_.request_stop();
+    schedule_.close();
 }
 
-void View::schedule() {
-    if (closed_ || working_ || queued_) return;
+void View::post_job() {
+    if (!schedule_.may_post()) return;
     if (!window_.has_room()) {
-        if (!mailbox_.empty()) window_.held_back();
+        if (schedule_.has_change()) window_.held_back();
         return;
     }
     if (!connection_->may_send(frame_bytes_)) return; // look_again() is called when there is room
     const std::weak_ptr<View> weak = weak_from_this();
-    if (!mailbox_.empty()) {
-        queued_ = services_.workers.post([weak](Worker& worker) {
-            if (const auto view = weak.lock()) show_frame(*view, worker, false);
-        });
-    } else if (still_wanted_ && !still_queued_) {
-        still_queued_ = services_.workers.post_later(quiet_until_, [weak](Worker& worker) {
-            if (const auto view = weak.lock()) show_frame(*view, worker, true);
-        });
-    }
+    const auto job = [&](bool still) {
+        return [weak, still](Worker& worker) {
+            if (const auto view = weak.lock()) show_frame(*view, worker, still);
+        };
+    };
+    if (schedule_.has_change())
+        schedule_.posted(false, services_.workers.post(job(false)));
+    else if (schedule_.lacks_still())
+        schedule_.posted(true, services_.workers.post_later(schedule_.still_due(), job(true)));
 }
 
 std::optional<FrameRequest> View::take(bool still) {
     const std::scoped_lock lock(mutex_);
-    (still ? still_queued_ : queued_) = false;
-    const bool due = still ? still_wanted_ && !queued_ && Clock::now() >= quiet_until_ : !mailbox_.empty();
-    if (closed_ || working_ || !has_room() || !due) {
-        schedule();
+    if (!schedule_.begin(still, has_room(), Clock::now())) {
+        post_job();
         return {};
     }
     FrameRequest request;
     wire::PictureStream* const moving = !still && stream_ == Stream::image ? &pictures_now() : nullptr;
     request.size = size_;
     request.stream = stream_;
-    request.still = still;
-    request.gives_way = still && gave_way_ < most_ways_given;
-    request.started = Clock::now();
     if (moving != nullptr) {
         request.moving = moving;
         request.scale = preview_.scale(size_) * detail_.of(moving_).scale;
     }
     if (const auto held = ids_of_frame_.find(held_); stream_ == Stream::geometry && held != ids_of_frame_.end())
         request.held = {held_, held->second};
-    stop_ = std::stop_source();
-    request.stop = stop_.get_token();
-    request.version = still ? still_wanted_ : *mailbox_.take(); // last, so that an exception does not lose the version
-    started_ = request.started;
-    working_ = true;
-    working_on_still_ = still;
+    static_cast<Turn&>(request) =
+        schedule_.take(still, Clock::now()); // last, so that an exception does not lose the version
     return request;
 }
 
@@ -140,7 +119,7 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
                    const FrameTimes& times) {
     std::unique_lock lock(mutex_);
     std::size_t bytes = 0;
-    if (!closed_ && !messages.empty()) {
+    if (!schedule_.is_closed() && !messages.empty()) {
         for (const auto& message : messages) bytes += message.size();
         if (bytes > services_.memory.room()) throw limits::LimitReached(services_.memory.refusal());
         frame_bytes_ = bytes;
@@ -153,17 +132,13 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
         }
         window_.sent(sent_, bytes, request.still, Clock::now());
     }
-    still_wanted_ = nullptr;
-    if (!request.still && request.stream == Stream::image) {
+    const bool was_interactive = !request.still && request.stream == Stream::image;
+    if (was_interactive) {
         preview_.took(request.size, times.draw);
         detail_.sent(moving_, bytes, (times.extract + times.draw + times.encode) / 1000, window_.rate());
-        if (mailbox_.empty()) still_wanted_ = request.version;
     }
-    gave_up_ = false;
-    gave_way_ = 0;
-    // The pause begins now: a still picture right after a slow frame would delay the next interactive frame.
-    quiet_until_ = Clock::now() + quiet;
-    finish();
+    schedule_.made(request, was_interactive, Clock::now());
+    post_job();
     lock.unlock();
     if (bytes == 0) return;
     services_.metrics.count_frame(request.still, bytes, times);
@@ -186,9 +161,9 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
 
 void View::make_again_later(const FrameRequest& request) {
     services_.metrics.count_cancelled_frame();
-    if (!request.still && mailbox_.empty()) mailbox_.put(request.version);
+    schedule_.had_no_room(request);
     content_.clear();
-    finish();
+    post_job();
 }
 
 void View::tell_lacking(const FrameRequest& request, std::vector<std::string> lacking,
@@ -200,7 +175,7 @@ void View::tell_lacking(const FrameRequest& request, std::vector<std::string> la
     const std::scoped_lock lock(mutex_);
     if (drawn) drawn_lacking_ = *drawn;
     lacking.insert(lacking.end(), drawn_lacking_.begin(), drawn_lacking_.end());
-    if (closed_ || (lacking == lacking_ && geometry.empty == empty_ && missing == missing_)) return;
+    if (schedule_.is_closed() || (lacking == lacking_ && geometry.empty == empty_ && missing == missing_)) return;
     lacking_ = lacking;
     empty_ = geometry.empty;
     missing_ = std::move(missing);
@@ -214,22 +189,21 @@ void View::tell_lacking(const FrameRequest& request, std::vector<std::string> la
 void View::give_up() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);
-    gave_up_ = !working_on_still_;
-    finish();
+    schedule_.given_up();
+    post_job();
 }
 
 void View::wait() {
     const std::scoped_lock lock(mutex_);
-    still_wanted_ = nullptr;
-    finish();
+    schedule_.waits();
+    post_job();
 }
 
 void View::give_way() {
     services_.metrics.count_cancelled_frame();
     const std::scoped_lock lock(mutex_);
-    ++gave_way_;
-    quiet_until_ = Clock::now(); // the still picture is due at once; its time in the queue counts from now
-    finish();
+    schedule_.gave_way(Clock::now());
+    post_job();
 }
 
 // Uses run_job, so that the view goes on even if no memory is left for the log line.
@@ -246,18 +220,13 @@ void View::fail(const FrameRequest& request, const std::string& sentence) {
                             {"ms", std::chrono::duration<double, std::milli>(Clock::now() - request.started).count()}});
     });
     const std::scoped_lock lock(mutex_);
-    still_wanted_ = nullptr;
+    schedule_.failed();
     content_.clear();
-    finish();
-    if (closed_) return;
+    post_job();
+    if (schedule_.is_closed()) return;
     const protocol::ViewFailed note{id_, static_cast<std::int64_t>(request.version->revision), sentence,
                                     request.version->request};
     connection_->send_text(sessions::notification_text(note));
-}
-
-void View::finish() {
-    working_ = false;
-    schedule();
 }
 
 bool View::shows(const frames::ContentKey& key, double grid) {

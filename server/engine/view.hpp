@@ -1,8 +1,8 @@
-// A View sends the frames of one session to one connection. It decides which scene is drawn next, and when.
+// A View sends the frames of one session to one connection.
 #pragma once
 
-#include "engine/mailbox.hpp"
 #include "engine/open_session.hpp"
+#include "engine/schedule/view_schedule.hpp"
 #include "frames/batches.hpp"
 #include "frames/congestion_window.hpp"
 #include "frames/picture_detail.hpp"
@@ -12,28 +12,22 @@
 
 #include <map>
 #include <memory>
-#include <stop_token>
 
 namespace server::engine {
 
 enum class Stream { image, geometry };
 using wire::MovingCodec; // codec of interactive pictures; a still picture is always a PNG
 
-struct FrameRequest {
-    std::shared_ptr<const sessions::SceneVersion> version;
+struct FrameRequest : Turn {
     geometry::ViewSize size;
     Stream stream = Stream::image;
-    bool still = false;
-    bool gives_way = false; // whether a still picture that takes long lets frames of other views go first
-    double scale = 1;       // side of an interactive picture as a fraction of the view's side
+    double scale = 1;                      // side of an interactive picture as a fraction of the view's side
     wire::PictureStream* moving = nullptr; // encoder of interactive pictures; null for other frames
     wire::HeldArrays held;                 // arrays that the client has; geometry stream only
-    std::stop_token stop;
-    Clock::time_point started;
 };
 
-// A View is thread-safe. The newest scene waits in a mailbox until a worker is free and the window has room for one
-// more frame in flight. If no newer scene comes for a short time, a still picture of the same scene follows.
+// Thread-safe. A frame is due when its ViewSchedule says so, a worker is free, and the window has room for one more
+// frame in flight.
 class View : public std::enable_shared_from_this<View> {
 public:
     View(std::uint32_t id, std::shared_ptr<OpenSession> session, std::shared_ptr<sessions::Connection> connection,
@@ -74,11 +68,10 @@ public:
     [[nodiscard]] std::optional<double> grid_of_new(frames::ContentKey key, double needed);
 
 private:
-    void again();  // makes frames of the same scene again; requires mutex_ to be held
-    void finish(); // requires mutex_ to be held
+    void again(); // makes frames of the same scene again; requires mutex_ to be held
     // Requires mutex_ to be held and no frame in progress.
     [[nodiscard]] wire::PictureStream& pictures_now();
-    void schedule();
+    void post_job(); // posts a job for the next frame if one is due; requires mutex_ to be held
     // Returns whether one more frame may be sent. The frame is assumed to be as large as the last frame.
     [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
     void make_again_later(const FrameRequest& request); // requires mutex_ to be held
@@ -100,15 +93,7 @@ private:
         int quality = 0;
         std::unique_ptr<wire::PictureStream> stream; // null before the first interactive picture
     } pictures_;                                     // used only by the worker whose take() returned a request
-    Mailbox<std::shared_ptr<const sessions::SceneVersion>> mailbox_;
-    std::shared_ptr<const sessions::SceneVersion> newest_;       // version of the last offer()
-    std::shared_ptr<const sessions::SceneVersion> still_wanted_; // shown version that has no still picture yet
-    std::stop_source stop_;                                      // cancels the frame in progress
-    Clock::time_point started_, quiet_until_;
-    bool queued_ = false, working_ = false, working_on_still_ = false, still_queued_ = false, closed_ = false;
-    // Whether the last interactive frame was cancelled. The next one is finished, so that a steady drag shows frames.
-    bool gave_up_ = false;
-    unsigned gave_way_ = 0; // how often the wanted still picture has given way
+    ViewSchedule schedule_;
     std::uint32_t sent_ = 0;
     std::size_t frame_bytes_ = 0; // size of the last frame's messages
     frames::ContentKey content_;

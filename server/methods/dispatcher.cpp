@@ -18,7 +18,6 @@ namespace {
 
 using nlohmann::json;
 using Outcome = engine::SlowCallQueue::Outcome;
-constexpr std::chrono::milliseconds first_pause{200}, longest_pause{2000}; // of a call that waits for a late step
 
 // Checked before parsing, so that no parser or destructor recurses deeper.
 bool is_deeper_than(std::string_view text, std::size_t limit) {
@@ -131,7 +130,7 @@ private:
             if (enqueue_again()) return;
         }
         turn_ = {};
-        pause_ = first_pause;
+        tries_ = 0;
         ++next_;
         go_on();
     }
@@ -141,8 +140,8 @@ private:
         context_.making.note(0);
         auto job = [self = shared_from_this()](Outcome outcome) { self->take(outcome); };
         try {
-            context_.server.slow_calls().post_after(pause_, connection_->id, std::move(job));
-            pause_ = std::min(2 * pause_, longest_pause);
+            context_.server.slow_calls().post_after(engine::SlowCallQueue::pause_after(++tries_), connection_->id,
+                                                    std::move(job));
             return true;
         } catch (...) {
             add(refuse(context_, requests_[next_]));
@@ -233,8 +232,8 @@ private:
     std::string text_;
     limits::Memory::Charge held_, asked_; // count text_ and requests_
     std::size_t next_ = 0;
-    Turn turn_; // of the slow request that is handled now
-    std::chrono::milliseconds pause_ = first_pause;
+    Turn turn_;          // of the slow request that is handled now
+    unsigned tries_ = 0; // runs of this request that waited for a late step
     bool was_queued_ = false, cancelled_ = false;
 };
 

@@ -31,6 +31,8 @@ public:
     // Queues the job when the pause has passed, also without limits. Use it for a call that waits for something, so
     // that it does not keep a thread. Throws Error after drain().
     void post_after(std::chrono::milliseconds pause, std::uint64_t connection, Job job);
+    // Returns the pause of a call that was run `tries` times and still waits.
+    [[nodiscard]] static std::chrono::milliseconds pause_after(unsigned tries);
     // Calls the waiting jobs of a connection with Outcome::cancelled on the calling thread.
     void drop(std::uint64_t connection);
     // Calls all waiting jobs with Outcome::cancelled, and refuses new jobs. Returns when no job runs.

@@ -1,4 +1,3 @@
-#include "engine/mailbox.hpp"
 #include "engine/metrics.hpp"
 
 #include <ctime>
@@ -12,16 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::IsSupersetOf;
-
-TEST(mailbox, the_newest_wins) {
-    Mailbox<int> mailbox;
-    EXPECT_TRUE(mailbox.empty());
-    EXPECT_FALSE(mailbox.take());
-    mailbox.put(1);
-    mailbox.put(2);
-    EXPECT_EQ(mailbox.take(), 2);
-    EXPECT_TRUE(mailbox.empty());
-}
 
 TEST(metrics, counts_what_happened) {
     Metrics metrics;

@@ -160,6 +160,15 @@ TEST(slow_calls, a_call_that_waits_keeps_no_thread) {
     EXPECT_EQ(cancelled, "4");
 }
 
+TEST(slow_calls, pauses_grow_to_two_seconds) {
+    using std::chrono::milliseconds;
+    EXPECT_EQ(SlowCallQueue::pause_after(1), milliseconds(200));
+    EXPECT_EQ(SlowCallQueue::pause_after(2), milliseconds(400));
+    EXPECT_EQ(SlowCallQueue::pause_after(4), milliseconds(1600));
+    EXPECT_EQ(SlowCallQueue::pause_after(5), milliseconds(2000));
+    EXPECT_EQ(SlowCallQueue::pause_after(1000), milliseconds(2000));
+}
+
 TEST(slow_calls, go_on_after_a_job_that_throws) {
     limits::Limits limits;
     limits.slow_calls = 1;
