@@ -62,7 +62,7 @@ public:
 
 private:
     struct Layer { // two Layers alternate: the layer being drawn, and the previous layer
-        // record: texture with the last transparent line at each pixel (recorded_glsl in shader_parts.cpp).
+        // record: texture with the last transparent line at each pixel (depth_layers.glsl).
         GLuint framebuffer = 0, depth = 0, record = 0;
     };
     struct Programs {

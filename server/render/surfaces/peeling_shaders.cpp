@@ -34,7 +34,7 @@ void main() {
 }
 )";
 
-constexpr const char* layer_sum_fragment = R"(#version 330 core
+constexpr const char* layer_sum_fragment = R"(
 uniform sampler2D layer;
 uniform sampler2D volumes;
 uniform sampler2D depths; // window depths of the layer
@@ -61,7 +61,7 @@ ivec2 pixel_of_volumes() {
 void main() {
     vec4 surface = texelFetch(layer, ivec2(gl_FragCoord.xy), 0);
     vec4 volume = texelFetch(volumes, pixel_of_volumes(), 0);
-    picture = vec4((volume.rgb + (1.0 - volume.a) * surface.rgb) * surface.a, surface.a);
+    picture = light_of_layer(surface, volume);
 }
 )";
 
@@ -73,22 +73,25 @@ uniform vec2 viewport;
 out vec4 picture;
 void main() {
     vec2 place = seen_from() / viewport;
-    vec4 layers = texture(sum, place);
-    vec4 volume = texture(volumes, place);
-    picture = vec4(layers.rgb + layers.a * volume.rgb, layers.a * (1.0 - volume.a));
+    picture = light_of_all(texture(sum, place), texture(volumes, place));
 }
 )";
+
+std::string with_depth_layers(const std::string& body) {
+    return std::string("#version 330 core\n") + depth_layers_glsl + body;
+}
 
 } // namespace
 
 ShaderProgram make_kept_to_outlines_program(const Gl& gl) { return make_cover_program(gl, kept_to_outlines_fragment); }
 ShaderProgram make_depth_copy_program(const Gl& gl) {
-    return make_cover_program(gl, std::string("#version 330 core\n") + depth_layers_glsl + depth_copy_fragment);
+    return make_cover_program(gl, with_depth_layers(depth_copy_fragment));
 }
-ShaderProgram make_layer_sum_program(const Gl& gl) { return make_cover_program(gl, layer_sum_fragment); }
+ShaderProgram make_layer_sum_program(const Gl& gl) {
+    return make_cover_program(gl, with_depth_layers(layer_sum_fragment));
+}
 ShaderProgram make_layers_picture_program(const Gl& gl, bool per_sample) {
-    return make_cover_program(gl, std::string("#version 330 core\n") + seen_from_glsl(per_sample) +
-                                      layers_picture_fragment);
+    return make_cover_program(gl, with_depth_layers(std::string(seen_from_glsl(per_sample)) + layers_picture_fragment));
 }
 
 } // namespace server::render

@@ -99,7 +99,7 @@ void main() {
     float depth = depth_of_disc(place);
     if (!is_seen(depth)) discard;
 #ifdef RECORDED
-    if (disc.color.a * cover > 0.998) record.x = -1.0;
+    if (hides_all(disc.color.a * cover)) record.x = -1.0;
 #endif
     gl_FragDepth = depth;
     picture = color_of_disc(place, cover);
@@ -137,7 +137,7 @@ Program make_point_program(const Gl& gl) {
 }
 
 Program make_peeling_point_program(const Gl& gl, bool recorded) {
-    return make_program(gl, lying(), layer_fragment, recorded ? recorded_glsl : peeled_glsl);
+    return make_program(gl, lying(), layer_fragment, peeled(recorded));
 }
 
 Program make_point_between_program(const Gl& gl, bool on_surfaces) {

@@ -41,12 +41,6 @@ void main() {
 }
 )";
 
-const char* const peeled_glsl = R"(
-#define PEELED
-uniform sampler2D nearer;
-bool is_seen(float depth) { return depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r; }
-)";
-
 // depth_on_surface() moves a line or point nearer to the eye by the rise of its surface from the center of the line or
 // point to the pixel, so that the surface does not hide the pixel. If surfaces were pushed back instead, objects behind
 // a surface would hide it at outlines. The smaller of two depth steps is used, because one may cross an outline.
@@ -109,24 +103,9 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-// is_seen() for layers with transparent lines. The segments of a line overlap in joints, where each would absorb light.
-// Therefore each layer records the last line and the depth to which its joint extends, and discards fragments of the
-// same primitives up to that depth. A second pass raises the layer's alpha to the largest of the segments.
-const char* const recorded_glsl = R"(
-#define PEELED
-#define RECORDED
-uniform sampler2D nearer;
-uniform sampler2D nearer_lines;
-uniform sampler2D own_lines; // record of the layer being drawn, in the second pass
-uniform sampler2D behind;    // window depths of opaque surfaces, at which the layers end
-// R: number of the last line's primitives, 0: none, -1: nothing is visible behind. G: depth to which the line's joint
-// reaches.
-layout(location = 1) out vec2 record;
-bool is_seen(float depth) {
-    record = texelFetch(nearer_lines, ivec2(gl_FragCoord.xy), 0).rg;
-    return record.x >= 0.0 && depth > texelFetch(nearer, ivec2(gl_FragCoord.xy), 0).r;
+std::string peeled(bool recorded) {
+    return recorded ? "#define PEELED\n#define RECORDED\n#define JOINING\n" : "#define PEELED\n";
 }
-)";
 
 Program link(const Gl& gl, const std::vector<Stage>& stages) {
     Program program;

@@ -124,7 +124,7 @@ void main() {
 )";
 
 // A line becomes a rectangle, because core profiles may refuse wide lines.
-const std::string line_geometry = R"(#version 330 core
+const std::string line_geometry = std::string("#version 330 core\n") + depth_layers_glsl + R"(
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 uniform vec4 clip[6];
@@ -178,7 +178,7 @@ void main() {
     }
     vec2 along = (b.xy / b.w - a.xy / a.w) * viewport * 0.5;
     float pixels = length(along);
-    float joint = abs(b.z / b.w - a.z / a.w) * 0.5 * min(1.0, (half_width + 1.0) / max(pixels, 1e-6));
+    float joint = joint_of_segment(a.z / a.w, b.z / b.w, half_width, pixels);
     along = pixels > 1e-6 ? along / pixels : vec2(1.0, 0.0);
     vec2 side = vec2(-along.y, along.x);
     float edge = half_width + 0.5;
@@ -214,7 +214,8 @@ layout(location = 0) out vec4 picture;
 // Number of the primitives, from 1, for transparent lines: segments of one Primitives join where they meet. 0 for
 // opaque lines.
 uniform float number;
-uniform float joining; // 1: second pass, which joins segments
+uniform float joining;    // 1: second pass, which joins segments
+uniform sampler2D behind; // window depths of opaque surfaces, at which the layers end
 #endif
 void main() {
     float cover = cover_drawn(clamp(half_width + 0.5 - abs(line.across), 0.0, 1.0));
@@ -222,26 +223,25 @@ void main() {
     float give;
     float slack = 0.5 + 0.5 * half_width; // half a pixel, and the caps
     float depth = depth_on_surface(line.side * line.across, half_width + 0.5, slack, 6.0, true, give);
-    if (!is_seen(depth)) discard;
 #ifdef RECORDED
-    float joint = 3.0 * (line.joint + give + least);
-    if (is_in_joint(record, number, depth, joint)) discard;
-    if (joining > 0.5) {
-        vec2 own = texelFetch(own_lines, ivec2(gl_FragCoord.xy), 0).rg;
-        if (!is_in_joint(own, number, depth, joint) || depth > texture(behind, gl_FragCoord.xy / viewport).r) discard;
-    }
-    record = vec2(number > 0.5 ? number : line.color.a * cover > 0.998 ? -1.0 : 0.0, depth + joint);
+    float reach = reach_of_joint(line.joint + give);
+    if (!is_line_seen(number, depth, reach)) discard;
+    if (joining > 0.5 && !is_of_own_line(number, depth, reach, texture(behind, gl_FragCoord.xy / viewport).r)) discard;
+    record_line(number, line.color.a * cover, depth, reach);
+#else
+    if (!is_seen(depth)) discard;
 #endif
     gl_FragDepth = depth;
     picture = vec4(base_color(line.value, line.color.rgb, line.style.x), line.color.a * cover);
 }
 )";
 
-Program make_line_program(const Gl& gl, const char* visibility) {
+// `before`: definitions for depth_layers.glsl. `after`: is_seen(), unless depth_layers.glsl defines it.
+Program make_line_program(const Gl& gl, const std::string& before, const std::string& after) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
                      {GL_GEOMETRY_SHADER, line_geometry},
                      {GL_FRAGMENT_SHADER,
-                      with_color_scale(std::string(cover_glsl) + line_fragment, on_surface_glsl + visibility)}});
+                      with_color_scale(std::string(cover_glsl) + line_fragment, before + on_surface_glsl + after)}});
 }
 
 } // namespace
@@ -256,14 +256,11 @@ Program make_plain_program(const Gl& gl) {
 }
 
 Program make_peeling_program(const Gl& gl, bool recorded) {
-    return link(gl,
-                {{GL_VERTEX_SHADER, surface_vertex},
-                 {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, recorded ? recorded_glsl : peeled_glsl)}});
+    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
+                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, peeled(recorded) + depth_layers_glsl)}});
 }
 
-Program make_peeling_line_program(const Gl& gl, bool recorded) {
-    return make_line_program(gl, recorded ? recorded_glsl : peeled_glsl);
-}
+Program make_peeling_line_program(const Gl& gl, bool recorded) { return make_line_program(gl, peeled(recorded), ""); }
 
 Program make_normals_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
@@ -282,6 +279,6 @@ Program make_occluded_program(const Gl& gl) {
         gl, {{GL_VERTEX_SHADER, surface_vertex}, {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, defines)}});
 }
 
-Program make_line_program(const Gl& gl) { return make_line_program(gl, before_volume_glsl); }
+Program make_line_program(const Gl& gl) { return make_line_program(gl, "", before_volume_glsl); }
 
 } // namespace server::render

@@ -1,6 +1,7 @@
 // Shaders of surfaces, lines and points. The server uses the same code for colors and lighting, so that pictures and
 // polygons look the same. PEELED is defined for depth peeling (peeling_shaders.ts).
 import COLOR_SCALE from "../../../protocol/shading/color_scale.glsl?raw";
+import DEPTH_LAYERS from "../../../protocol/shading/depth_layers.glsl?raw";
 import LIGHTING from "../../../protocol/shading/lighting.glsl?raw";
 import { ENDS_PER_ROW, VERTICES_PER_LINE } from "./lines";
 import { LAYERS, LINE_LAYERS } from "./peeling_shaders";
@@ -114,6 +115,7 @@ out vec3 offset;
 out float across;
 out float weight;
 flat out float joint; // depth change within half a line width: overlapping segments differ by at most this
+${DEPTH_LAYERS}
 vec4 end_at(int number) { return texelFetch(ends, ivec2(number % ${ENDS_PER_ROW}, number / ${ENDS_PER_ROW}), 0); }
 void main() {
   int line = gl_VertexID / ${VERTICES_PER_LINE};
@@ -131,7 +133,7 @@ void main() {
   vec4 last = mix(a, b, end);
   vec2 along = (last.xy / last.w - first.xy / first.w) * viewport * 0.5;
   float pixels = length(along);
-  joint = abs(last.z / last.w - first.z / first.w) * 0.5 * min(1.0, (half_width + 1.0) / max(pixels, 1e-6));
+  joint = joint_of_segment(first.z / first.w, last.z / last.w, half_width, pixels);
   along = pixels > 1e-6 ? along / pixels : vec2(1.0, 0.0);
   bool at_end = (corner & 1) == 1;
   float side = (corner & 2) == 2 ? 1.0 : -1.0;
@@ -155,10 +157,11 @@ void main() {
   leave_out_what_is_clipped();
   float cover = clamp(half_width + 0.5 - abs(across / weight), 0.0, 1.0);
   if (cover < 0.02) discard; // invisible fragments would still write depth
+  float alpha = color.a * cover;
 #ifdef PEELED
-  leave_out_the_same_line(depth_in_order());
+  leave_out_the_same_line(depth_in_order(), alpha);
 #endif
-  result = vec4(base_color(value, color.rgb, scale_row), color.a * cover);
+  result = vec4(base_color(value, color.rgb, scale_row), alpha);
 }`;
 
 export const BACKGROUND_VERTEX = `#version 300 es
