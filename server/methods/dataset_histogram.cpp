@@ -1,4 +1,5 @@
 #include "methods/cell_extremes.hpp"
+#include "methods/progress.hpp"
 
 namespace server::methods {
 
@@ -21,8 +22,14 @@ protocol::DatasetHistogramResult dataset_histogram(CallContext& context,
         }
     }();
     const std::size_t step = params.time ? dataset->step_at(*params.time) : 0;
+    Progress progress(context, params.progress, std::nullopt);
+    const auto values_read = [&](std::size_t done, std::size_t of) {
+        context.check_wanted();
+        progress.count("measuring", done, of);
+    };
+    progress.begin("measuring");
     const store::Histogram histogram =
-        loaded->histogram(params.array, step, static_cast<std::size_t>(params.bins), params.range);
+        loaded->histogram(params.array, step, static_cast<std::size_t>(params.bins), params.range, values_read);
     protocol::DatasetHistogramResult result;
     result.range = histogram.range;
     result.counts.assign(histogram.counts.begin(), histogram.counts.end());

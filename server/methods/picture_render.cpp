@@ -1,6 +1,5 @@
 #include "frames/picture.hpp"
 #include "methods/base64.hpp"
-#include "methods/progress.hpp"
 #include "methods/scene_source.hpp"
 #include "wire/pictures/png.hpp"
 
@@ -19,8 +18,7 @@ protocol::PictureRenderResult picture_render(CallContext& context, const protoco
     const std::size_t pixel_bytes = 3 * std::size_t{size.width} * size.height;
     context.making.change(pixel_bytes);
     // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
-    const auto geometry =
-        source.geometry([&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); });
+    const auto geometry = source.geometry(progress);
     geometry::require_read(*geometry);
     progress.begin("waiting");
     std::vector<std::string> remarks;

@@ -48,6 +48,7 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
         throw InvalidParams("/position", "give either a position or a pixel");
     const auto size = params.pixel ? size_of(context, params) : geometry::ViewSize{};
     SceneSource source(context, params.session, params.scene);
+    Progress progress(context, params.progress, params.session);
     const auto dataset = source.version().checked.dataset();
     if (dataset->steps().empty()) throw ciel::Error(dataset->info().name + " has no time step yet; append a step");
     const std::size_t step = dataset->step_at(source.version().scene().time);
@@ -56,16 +57,18 @@ protocol::ProbePointResult probe_point(CallContext& context, const protocol::Pro
     } catch (const store::NotYetRead& late) { // arrays that cannot be read from the source get no values
         if (!late.has_failed) throw;
     }
+    // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
+    const auto geometry = params.pixel ? source.geometry(progress) : nullptr;
+    progress.begin("measuring");
     context.server.services().require_room(); // the locator needs the topology
     const auto locator = source.version().checked.loaded()->locator(step);
 
     std::optional<ciel::Vec3d> position = params.position;
-    std::shared_ptr<const geometry::Geometry> geometry;
     if (params.pixel) {
-        // Makes the geometry on this thread, so that the picture worker is free for other calls meanwhile.
-        geometry = source.geometry();
+        progress.begin("waiting");
         position = context.server.picture_workers().run([&](engine::Worker& worker) {
             context.check_wanted();
+            progress.begin("measuring");
             return dataset->naming_changed_file([&] {
                 return frames::position_under(*geometry, source.version().checked, size, *params.pixel, *locator,
                                               worker.renderer(), [&] { context.check_wanted(); });

@@ -5,6 +5,7 @@
 #include "methods/call_context.hpp"
 #include "methods/error_answer.hpp"
 #include "methods/method_params.hpp"
+#include "methods/progress.hpp"
 #include "methods/protocol_version.hpp"
 #include "protocol/method_table.hpp"
 #include "store/loaded.hpp"
@@ -45,12 +46,22 @@ const Method* find_method(const std::string& name) {
     return found == method_table.end() ? nullptr : found;
 }
 
+// All methods with x-slow have the parameter `progress`.
+void tell_of_reading(const CallContext& context, const json& params) {
+    const auto member = [&](const char* name) -> std::optional<std::string> {
+        const auto found = params.find(name);
+        return found == params.end() ? std::nullopt : std::optional(found->get<std::string>());
+    };
+    Progress(context, member("progress"), member("session")).begin("reading");
+}
+
 json call_slow(CallContext& context, const Method& method, const json& params) {
     try {
         return method.call(context, params);
     } catch (const store::NotYetRead& late) {
         const double longest_ms = 1000.0 * static_cast<double>(context.server.limits().late_step_seconds);
         if (late.has_failed || context.milliseconds() > longest_ms) throw;
+        tell_of_reading(context, params);
         throw AwaitsStep();
     }
 }

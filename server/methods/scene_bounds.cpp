@@ -5,8 +5,10 @@ namespace server::methods {
 
 protocol::SceneBoundsResult scene_bounds(CallContext& context, const protocol::SceneBoundsParams& params) {
     SceneSource source(context, params.session, params.scene);
-    const auto geometry = source.geometry();
+    Progress progress(context, params.progress, params.session);
+    const auto geometry = source.geometry(progress);
     geometry::require_read(*geometry);
+    progress.begin("measuring");
     const scene::CheckedScene& checked = source.version().checked;
     const bool is_drawn = params.of == "drawn";
     const auto [low, high] =

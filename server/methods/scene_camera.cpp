@@ -7,8 +7,9 @@ namespace server::methods {
 protocol::SceneCameraResult scene_camera(CallContext& context, const protocol::SceneCameraParams& params) {
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     SceneSource source(context, params.session, params.scene);
+    Progress progress(context, params.progress, params.session);
     const annotations::ViewCamera camera =
-        geometry::viewpoint_of(*source.geometry(), source.version().checked, static_cast<int>(params.width),
+        geometry::viewpoint_of(*source.geometry(progress), source.version().checked, static_cast<int>(params.width),
                                static_cast<int>(params.height))
             .camera;
     protocol::SceneCameraResult seen{camera.position, camera.target};

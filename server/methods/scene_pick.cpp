@@ -9,9 +9,11 @@ protocol::ScenePickResult scene_pick(CallContext& context, const protocol::Scene
     frames::check_picture_size(context.server.limits(), params.width, params.height);
     const geometry::ViewSize size{static_cast<std::uint32_t>(params.width), static_cast<std::uint32_t>(params.height)};
     SceneSource source(context, params.session, params.scene);
+    Progress progress(context, params.progress, params.session);
     const scene::CheckedScene& checked = source.version().checked;
-    const auto geometry = source.geometry();
+    const auto geometry = source.geometry(progress);
     geometry::require_read(*geometry);
+    progress.begin("measuring");
     const auto crossings = probe::crossings(*geometry, checked, size, params.pixel);
     protocol::ScenePickResult picked;
     if (const auto seen = probe::bounds_in_view(*geometry, checked, size)) {

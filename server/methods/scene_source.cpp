@@ -15,7 +15,8 @@ SceneSource::SceneSource(const CallContext& context, const std::optional<std::st
     if (scene) session_ = nullptr; // a given scene gets its own geometry, and the session's geometry is kept
 }
 
-std::shared_ptr<const geometry::Geometry> SceneSource::geometry(const geometry::LayersMade& layers_made) {
+std::shared_ptr<const geometry::Geometry> SceneSource::geometry(Progress& progress) {
+    const auto layers_made = [&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); };
     auto made =
         session_ ? session_->geometry(*version_, context_.stop, false, layers_made) : geometry_of_scene(layers_made);
     context_.check_wanted();

@@ -1,7 +1,7 @@
 // The scene of a picture, probe or export: the scene of a session, or a scene in the call.
 #pragma once
 
-#include "methods/call_context.hpp"
+#include "methods/progress.hpp"
 
 #include <optional>
 
@@ -15,9 +15,9 @@ public:
 
     [[nodiscard]] const sessions::SceneVersion& version() const { return *version_; }
     // Views of a session share its geometry. The memory of the geometry of a given scene is counted until the
-    // SceneSource is destroyed. `layers_made`: see SceneGeometry. Throws LimitReached, and Error if the connection
-    // ends.
-    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(const geometry::LayersMade& layers_made = {});
+    // SceneSource is destroyed. Reports the stage "surfaces" to `progress`. Throws LimitReached, and Error if the
+    // connection ends.
+    [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry(Progress& progress);
 
 private:
     [[nodiscard]] std::shared_ptr<const geometry::Geometry> geometry_of_scene(const geometry::LayersMade& layers_made);

@@ -1,7 +1,6 @@
 #include "geometry/clip.hpp"
 #include "geometry/places.hpp"
 #include "methods/base64.hpp"
-#include "methods/progress.hpp"
 #include "methods/scene_source.hpp"
 #include "wire/files/joined_surface.hpp"
 #include "wire/files/surface_files.hpp"
@@ -77,8 +76,7 @@ struct File {
 File file_of(CallContext& context, SceneSource& source, const protocol::SurfaceExportParams& params) {
     const wire::SurfaceFormat format = wire::surface_format("." + params.format);
     Progress progress(context, params.progress, params.session);
-    const auto geometry =
-        source.geometry([&](std::size_t done, std::size_t of) { progress.count("surfaces", done, of); });
+    const auto geometry = source.geometry(progress);
     geometry::require_complete(*geometry);
     progress.begin("writing");
     const wire::JoinedSurface surface =

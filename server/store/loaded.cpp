@@ -286,7 +286,7 @@ Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
 }
 
 Histogram LoadedDataset::histogram(const std::string& name, std::size_t step, std::size_t bins,
-                                   std::optional<std::array<double, 2>> range) {
+                                   std::optional<std::array<double, 2>> range, const ValuesRead& values_read) {
     const auto of = state_->current();
     (void)State::step_of(*of, step);
     const ScalarName scalar = parse_scalar(*of, name);
@@ -294,7 +294,7 @@ Histogram LoadedDataset::histogram(const std::string& name, std::size_t step, st
     if (!range)
         if (const auto stored = of->histogram(scalar, step))
             if (auto fewer = stored->with_bins(bins)) return *std::move(fewer);
-    return values->histogram(bins, range);
+    return values->histogram(bins, range, values_read);
 }
 
 std::shared_ptr<const SoundCells> LoadedDataset::sound_cells(const std::string& name, std::size_t step) {

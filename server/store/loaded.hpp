@@ -58,9 +58,10 @@ public:
     [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
     // Returns the histogram of any scalar. `range`: the range of the bins; nullopt: the range of the finite values.
     // Throws like scalar(). If no range is given and `bins` is a power of two of at most stored_bins, reads one small
-    // file. Otherwise reads all values of the step.
+    // file. Otherwise reads all values of the step and calls `values_read`.
     [[nodiscard]] Histogram histogram(const std::string& name, std::size_t step, std::size_t bins,
-                                      std::optional<std::array<double, 2>> range = std::nullopt);
+                                      std::optional<std::array<double, 2>> range = std::nullopt,
+                                      const ValuesRead& values_read = {});
     // Returns null if all cells are sound. A cell is not sound if one of its values, in any component, is a NaN or
     // infinite result of the solver. For an interpolated point array, these are the values of the cell array. For an
     // array on patches, these are the values on the cells and on the patch faces.

@@ -87,11 +87,21 @@ void StoredScalar::for_pieces(const std::function<void(ciel::ValuesView)>& f) co
     values_.file->file().check_intact();
 }
 
-Histogram StoredScalar::histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const {
+Histogram StoredScalar::histogram(std::size_t bins, std::optional<std::array<double, 2>> range,
+                                  const ValuesRead& values_read) const {
+    const std::size_t all = (range ? 1 : 2) * size();
+    std::size_t done = 0;
+    const auto add_all_to = [&](auto& sum) {
+        for_pieces([&](ciel::ValuesView piece) {
+            sum.add(piece);
+            done += piece.size();
+            if (values_read) values_read(done, all);
+        });
+    };
     FiniteRange finite;
-    if (!range) for_pieces([&](ciel::ValuesView piece) { finite.add(piece); });
+    if (!range) add_all_to(finite);
     Histogram histogram(range ? *range : finite.get(), bins);
-    for_pieces([&](ciel::ValuesView piece) { histogram.add(piece); });
+    add_all_to(histogram);
     return histogram;
 }
 

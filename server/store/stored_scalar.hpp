@@ -10,6 +10,9 @@
 
 namespace server::store {
 
+// Called after each piece of a long read: `done` of `of` values are read. An exception ends the read.
+using ValuesRead = std::function<void(std::size_t done, std::size_t of)>;
+
 // Thread-safe. If another process rewrites the file, a read returns other values or throws Error (checked_file.hpp).
 // Other values are safe, because values are never used as indices.
 class StoredScalar final : public ciel::ValueSource {
@@ -35,7 +38,8 @@ public:
     // Only one piece of the values is in memory at a time. Throws Error when the file was truncated meanwhile.
     void for_pieces(const std::function<void(ciel::ValuesView)>& f) const;
     // `range`: the range of the bins. nullopt: the range of the finite values; all values are then read twice.
-    [[nodiscard]] Histogram histogram(std::size_t bins, std::optional<std::array<double, 2>> range) const;
+    [[nodiscard]] Histogram histogram(std::size_t bins, std::optional<std::array<double, 2>> range,
+                                      const ValuesRead& values_read = {}) const;
 
 private:
     template <class T>

@@ -71,6 +71,11 @@ class Document(unittest.TestCase):
                 required = [param.get("required", False) for param in method["params"]]
                 self.assertEqual(required, sorted(required, reverse=True), "required params come first")
 
+    def test_each_slow_method_reports_progress(self):
+        for method in DOCUMENT["methods"]:
+            if method.get("x-slow"):
+                self.assertIn("progress", [param["name"] for param in method["params"]], method["name"])
+
     def test_references_resolve(self):
         for path, value in walk(DOCUMENT):
             if isinstance(value, dict) and "$ref" in value:

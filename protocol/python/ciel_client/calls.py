@@ -87,6 +87,7 @@ class Calls:
         time: float | None = None,
         bins: int = 256,
         range: Range | None = None,
+        progress: str | None = None,
     ) -> DatasetHistogramResult:
         """Counts the values of a scalar at one time step in bins of equal width.
 
@@ -95,8 +96,9 @@ class Calls:
         time: Simulation time; the nearest step is used. Default: the first step.
         bins: Number of bins of equal width. Each excludes its upper end, except the last. (1 to 4096, default 256)
         range: Range that the bins divide, with minimum < maximum. Default: the range of the finite values at the step.
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call, and to no one after a POST. Absent: no notifications.
         """
-        return self.call("dataset.histogram", dataset=dataset, array=array, time=time, bins=bins, range=range)
+        return self.call("dataset.histogram", dataset=dataset, array=array, time=time, bins=bins, range=range, progress=progress)
 
     def session_open(
         self,
@@ -281,6 +283,7 @@ class Calls:
         pixel: list[float] | None = None,
         width: int | None = None,
         height: int | None = None,
+        progress: str | None = None,
     ) -> ProbePointResult:
         """Returns the values at a position, or at the position under a pixel of a picture of the given size.
 
@@ -290,8 +293,9 @@ class Calls:
         pixel: Pixel [x, y] of the picture, counted from the top left. Needs `width` and `height`.
         width: Width in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
         height: Height in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
-        return self.call("probe.point", session=session, scene=scene, position=position, pixel=pixel, width=width, height=height)
+        return self.call("probe.point", session=session, scene=scene, position=position, pixel=pixel, width=width, height=height, progress=progress)
 
     def scene_camera(
         self,
@@ -300,6 +304,7 @@ class Calls:
         scene: Scene | None = None,
         width: int = 1280,
         height: int = 720,
+        progress: str | None = None,
     ) -> SceneCameraResult:
         """Returns the camera of a scene. If the scene has none, returns the default camera that pictures and views of this size use.
 
@@ -307,8 +312,9 @@ class Calls:
         scene: Scene to use instead of a session's. The server does not keep it after the call.
         width: Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 1280)
         height: Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 720)
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
-        return self.call("scene.camera", session=session, scene=scene, width=width, height=height)
+        return self.call("scene.camera", session=session, scene=scene, width=width, height=height, progress=progress)
 
     def scene_bounds(
         self,
@@ -316,14 +322,16 @@ class Calls:
         session: str | None = None,
         scene: Scene | None = None,
         of: Literal["mesh", "drawn"] = 'mesh',
+        progress: str | None = None,
     ) -> SceneBoundsResult:
         """Returns the box to which a camera is fitted to show everything.
 
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
         of: mesh: the box of the mesh. Clip planes reduce it. Thresholds reduce it if all visible layers have one. Iso-surfaces and slices do not reduce it. If nothing is left, the result is the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw. If a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count. Otherwise a volume counts as the whole box. If only outlines are drawn, the result is that of mesh. (default 'mesh')
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
-        return self.call("scene.bounds", session=session, scene=scene, of=of)
+        return self.call("scene.bounds", session=session, scene=scene, of=of, progress=progress)
 
     def scene_pick(
         self,
@@ -333,6 +341,7 @@ class Calls:
         height: int,
         session: str | None = None,
         scene: Scene | None = None,
+        progress: str | None = None,
     ) -> ScenePickResult:
         """Finds the first polygon under a pixel of a picture of the given size, without drawing. Lines, points and volumes are ignored.
 
@@ -341,8 +350,9 @@ class Calls:
         height: Height of the picture in pixels. (16 to 8192)
         session: Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
         scene: Scene to use instead of a session's. The server does not keep it after the call.
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
-        return self.call("scene.pick", pixel=pixel, width=width, height=height, session=session, scene=scene)
+        return self.call("scene.pick", pixel=pixel, width=width, height=height, session=session, scene=scene, progress=progress)
 
     def color_range(
         self,
@@ -352,6 +362,7 @@ class Calls:
         scene: Scene | None = None,
         aspect: float | None = None,
         of: Literal["layers", "contours"] = 'layers',
+        progress: str | None = None,
     ) -> ColorRangeResult:
         """Returns the range of the values by which layers are colored, or of the part that is in view.
 
@@ -360,8 +371,9 @@ class Calls:
         scene: Scene to use instead of a session's. The server does not keep it after the call.
         aspect: Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count. (0.01 to 100)
         of: layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale. (default 'layers')
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
         """
-        return self.call("color.range", layers=layers, session=session, scene=scene, aspect=aspect, of=of)
+        return self.call("color.range", layers=layers, session=session, scene=scene, aspect=aspect, of=of, progress=progress)
 
     def surface_export(
         self,
@@ -427,7 +439,7 @@ class Calls:
         """Writes the step of a completely received upload to the dataset and notifies all clients. If it fails, the upload is kept.
 
         upload: Id of the upload, as append.begin returned it.
-        progress: Name that the caller chooses for call.progress. The server sends it to the calling WebSocket, and to no one after a POST.
+        progress: Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call, and to no one after a POST. Absent: no notifications.
         """
         return self.call("append.commit", upload=upload, progress=progress)
 

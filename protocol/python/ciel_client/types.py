@@ -119,6 +119,7 @@ class DatasetHistogramParams(TypedDict):
     time: NotRequired[float]  # Simulation time; the nearest step is used. Default: the first step.
     bins: NotRequired[int]  # Number of bins of equal width. Each excludes its upper end, except the last. (1 to 4096, default 256)
     range: NotRequired[Range]  # Range that the bins divide, with minimum < maximum. Default: the range of the finite values at the step.
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call, and to no one after a POST. Absent: no notifications.
 
 
 class DatasetHistogramResult(TypedDict):
@@ -269,6 +270,7 @@ class ProbePointParams(TypedDict):
     pixel: NotRequired[list[float]]  # Pixel [x, y] of the picture, counted from the top left. Needs `width` and `height`.
     width: NotRequired[int]  # Width in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
     height: NotRequired[int]  # Height in pixels of the picture that `pixel` belongs to. Required with `pixel`. (16 to 8192)
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 ProbePointResult = ProbeResult
@@ -281,6 +283,7 @@ class SceneCameraParams(TypedDict):
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
     width: NotRequired[int]  # Width of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 1280)
     height: NotRequired[int]  # Height of the picture or view in pixels. The default camera shows the whole bounds beside the annotations, so it depends on the size. (16 to 8192, default 720)
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 SceneCameraResult = Camera
@@ -292,6 +295,7 @@ class SceneBoundsParams(TypedDict):
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
     of: NotRequired[Literal["mesh", "drawn"]]  # mesh: the box of the mesh. Clip planes reduce it. Thresholds reduce it if all visible layers have one. Iso-surfaces and slices do not reduce it. If nothing is left, the result is the bounds of the dataset. drawn: the box of the polygons, lines and points that visible layers draw. If a part of the boundary is drawn (`groups` or a threshold), only this part and iso-surfaces count. Otherwise a volume counts as the whole box. If only outlines are drawn, the result is that of mesh. (default 'mesh')
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 class SceneBoundsResult(TypedDict):
@@ -306,6 +310,7 @@ class ScenePickParams(TypedDict):
     height: int  # Height of the picture in pixels. (16 to 8192)
     session: NotRequired[str]  # Id of the session whose scene is used. Give either `session` or `scene`; `scene` is used if both are given.
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 class ScenePickResult(TypedDict):
@@ -323,6 +328,7 @@ class ColorRangeParams(TypedDict):
     scene: NotRequired[Scene]  # Scene to use instead of a session's. The server does not keep it after the call.
     aspect: NotRequired[float]  # Width / height of the view. If given, only values inside the view that no clip plane cuts away count. Absent: all values of the layers count. (0.01 to 100)
     of: NotRequired[Literal["layers", "contours"]]  # layers: values by which the layers are colored. contours: values of the contour lines on the layers, which have their own color scale. (default 'layers')
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call; after a POST, to all WebSockets of the session. Absent: no notifications.
 
 
 class ColorRangeResult(TypedDict):
@@ -378,7 +384,7 @@ class AppendCommitParams(TypedDict):
     """append.commit: Writes the step of a completely received upload to the dataset and notifies all clients. If it fails, the upload is kept."""
 
     upload: str  # Id of the upload, as append.begin returned it.
-    progress: NotRequired[str]  # Name that the caller chooses for call.progress. The server sends it to the calling WebSocket, and to no one after a POST.
+    progress: NotRequired[str]  # Any name, which the notifications call.progress of this call repeat. They go to the WebSocket of the call, and to no one after a POST. Absent: no notifications.
 
 
 class AppendCommitResult(TypedDict):
@@ -433,9 +439,9 @@ class CallProgressParams(TypedDict):
     """call.progress: Progress of a call that has a parameter `progress`. The first is sent when the call leaves the queue."""
 
     progress: str  # Name that the call gave as `progress`.
-    stage: Literal["surfaces", "waiting", "drawing", "writing"]  # surfaces: makes the surfaces of the layers. waiting: another picture is drawn first, or another commit ends first. drawing: draws the picture. writing: makes the file, or writes the step of append.commit.
-    done: int  # Number of layers made in the stage surfaces, or of arrays written by append.commit. 0 in other stages. (at least 0)
-    of: int  # Number of layers to make, or of arrays to write. 0 in other stages. (at least 0)
+    stage: Literal["reading", "surfaces", "measuring", "waiting", "drawing", "writing"]  # reading: the step is read from the dataset's source; the call goes on after that. surfaces: makes the surfaces of the layers. measuring: finds the cell, range, box, point or counts of the answer. waiting: another picture is drawn first, or another commit ends first. drawing: draws the picture. writing: makes the file, or writes the step of append.commit.
+    done: int  # Number of layers made in the stage surfaces, of values read by dataset.histogram, or of arrays written by append.commit. 0 in other stages. (at least 0)
+    of: int  # Number of layers to make, of values to read (each twice if `range` is absent), or of arrays to write. 0 in other stages. (at least 0)
 
 
 class AppendRefusedParams(TypedDict):

@@ -67,5 +67,20 @@ TEST_F(LateStep, a_call_that_waits_is_answered_once_it_is_read) {
     EXPECT_TRUE(answer.contains("result")) << answer;
 }
 
+TEST_F(LateStep, a_caller_is_told_that_it_is_being_read) {
+    engine::Server server(
+        options([](const auto&, std::size_t, const std::atomic<bool>&) { return std::string("the source is gone"); }));
+    Client client(server, true);
+    const json scene = {
+        {"dataset", "late"}, {"time", 1}, {"layers", {{"a", {{"type", "iso"}, {"array", "p"}, {"values", {5}}}}}}};
+    client.request("scene.bounds", {{"scene", scene}, {"of", "drawn"}, {"progress", "mine"}});
+    std::string stage;
+    do {
+        const json told = client.next_text();
+        if (told["method"] == "call.progress") stage = told["params"]["stage"];
+    } while (stage != "reading"); // next_text() throws if it never comes
+    SUCCEED();
+}
+
 } // namespace
 } // namespace ciel::test

@@ -35,6 +35,17 @@ protected:
             if (names.empty() || names.back() != one.stage) names.push_back(one.stage);
         return names;
     }
+    // Calls a method and returns the stages that the caller is told.
+    std::vector<std::string> stages_of(const std::string& method, json params) {
+        params["progress"] = "mine";
+        client.call(method, params);
+        json last = picture(in_session({}));
+        last["progress"] = "last";
+        client.call("picture.render", last);
+        std::vector<Told> all = heard_by(client);
+        std::erase_if(all, [](const Told& one) { return one.name == "last"; });
+        return stages(all);
+    }
     static json picture(json params) {
         params.update({{"width", 16}, {"height", 16}, {"progress", "mine"}});
         return params;
@@ -54,6 +65,19 @@ TEST_F(CallProgress, OfAPictureHasItsStagesAndLayers) {
 TEST_F(CallProgress, OfAnExportHasItsStages) {
     client.call("surface.export", in_session({{"layer", "iso"}, {"format", "ply"}, {"progress", "mine"}}));
     EXPECT_THAT(stages(heard_by(client)), ElementsAre("surfaces", "writing"));
+}
+
+TEST_F(CallProgress, OfCallsThatMeasureHasTheirStages) {
+    const json seen = in_session({{"width", 16}, {"height", 16}});
+    json pixel = seen;
+    pixel["pixel"] = {8, 8};
+    EXPECT_THAT(stages_of("scene.camera", seen), ElementsAre("surfaces"));
+    EXPECT_THAT(stages_of("scene.pick", pixel), ElementsAre("surfaces", "measuring"));
+    EXPECT_THAT(stages_of("scene.bounds", in_session({})), ElementsAre("surfaces", "measuring"));
+    EXPECT_THAT(stages_of("color.range", in_session({{"layers", {"iso"}}})), ElementsAre("surfaces", "measuring"));
+    EXPECT_THAT(stages_of("probe.point", pixel), ElementsAre("surfaces", "measuring", "waiting", "measuring"));
+    EXPECT_THAT(stages_of("probe.point", in_session({{"position", {1003, 3, -47}}})), ElementsAre("measuring"));
+    EXPECT_THAT(stages_of("dataset.histogram", {{"dataset", "box"}, {"array", "p"}}), ElementsAre("measuring"));
 }
 
 TEST_F(CallProgress, IsToldToTheCallerOfAGivenScene) {

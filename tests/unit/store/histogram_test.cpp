@@ -151,5 +151,28 @@ TEST_F(StoredHistogramTest, IsAnsweredWithAnyNumberOfBins) {
     }
 }
 
+TEST_F(StoredHistogramTest, TellsHowManyValuesAreReadAndEndsWhenItIsCancelled) {
+    LoadedDataset loaded(Dataset::open(directory), 1U << 24);
+    const std::size_t vertices = loaded.dataset()->info().meshes[0].vertices;
+    std::vector<std::size_t> done;
+    std::size_t all = 0;
+    const ValuesRead note = [&](std::size_t read, std::size_t of) {
+        done.push_back(read);
+        all = of;
+    };
+    (void)loaded.histogram("p", 0, 3, std::nullopt, note);
+    EXPECT_EQ(all, 2 * vertices) << "read once for the range, once for the counts";
+    EXPECT_TRUE(std::ranges::is_sorted(done));
+    EXPECT_EQ(done.back(), all);
+    (void)loaded.histogram("p", 0, 3, std::array{0.0, 1.0}, note);
+    EXPECT_EQ(all, vertices);
+    EXPECT_EQ(done.back(), all);
+    done.clear();
+    (void)loaded.histogram("p", 0, 256, std::nullopt, note);
+    EXPECT_TRUE(done.empty()) << "the stored histogram is read";
+    const ValuesRead cancel = [](std::size_t, std::size_t) { throw ciel::Error("cancelled"); };
+    EXPECT_THROW((void)loaded.histogram("p", 0, 3, std::nullopt, cancel), ciel::Error);
+}
+
 } // namespace
 } // namespace server::store
