@@ -109,8 +109,9 @@ int run_command(const ExtractCommand& extract) {
     const auto format = format_of(extract.output);
     if (!extract.scene.has_layers()) throw UsageError("nothing to extract; give --iso, --slice or --plane");
     const auto loaded = load_dataset(extract.scene.dataset);
-    const scene::CheckedScene checked = check_scene(parse_scene(extract.scene.document(*loaded->dataset())), loaded);
-    const auto geometry = make_geometry(checked, extract.scene.extraction.chosen());
+    const scene::Scene scene = parse_scene(extract.scene.document(*loaded->dataset()));
+    if (!extract.colors.empty()) read_late_step(scene, *loaded);
+    const auto [checked, geometry] = make_geometry(scene, loaded, extract.scene.extraction.chosen());
     geometry::require_complete(*geometry);
     wire::JoinedSurface joined;
     for (const geometry::Drawable& drawable : geometry->drawables) {

@@ -179,8 +179,7 @@ int run_command(const RenderCommand& render) {
         document = scene::merge_patch(std::move(document), patch);
     scene::Scene scene = parse_scene(document);
     render.camera.project(scene.camera);
-    const scene::CheckedScene checked = check_scene(std::move(scene), loaded);
-    const auto geometry = make_geometry(checked, render.scene.extraction.chosen());
+    const auto [checked, geometry] = make_geometry(scene, loaded, render.scene.extraction.chosen());
     const scene::CheckedScene shown =
         render.camera.stand_back(checked, *geometry, size, box.value_or(probe::shown_bounds(*geometry, checked)));
     render::Image image;

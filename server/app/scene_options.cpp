@@ -65,25 +65,17 @@ nlohmann::json volume_layer(const std::string& text) {
     return layer;
 }
 
-// If arrays of the scene's step are late (not read from the source yet), reads all arrays of the step from the source.
-void read_late_step(const scene::Scene& scene, store::LoadedDataset& loaded) {
-    const auto dataset = loaded.dataset();
-    if (dataset->steps().empty()) return;
-    const std::size_t step = dataset->step_at(scene.time);
-    if (dataset->late_chunks(step).empty()) return;
-    ImportView view(stderr);
-    const CancelOnSignal signals;
-    importing::ImportLimits limits;
-    limits.memory_option += " of 'ciel import'";
-    limits.stalled_option += " of 'ciel import'";
-    const importing::ImportEnd end =
-        importing::run_import({{"inputs", {dataset->directory().string()}},
-                               {"step", {std::to_string(step)}},
-                               {"late-folder", {late_folder_in(default_import_folder()).string()}}},
-                              limits, view.listener(), signals.cancelled());
-    view.clear();
-    if (!end.problem.empty()) throw ciel::Error(end.problem);
-    (void)loaded.refresh();
+// Makes a layer that lacks a late array await it; make_geometry() then reads it.
+store::LateAnswer read_when_needed(const store::Dataset& /*dataset*/, std::size_t /*step*/) {
+    return {"has not been read from its source; use `ciel import --step`", false};
+}
+
+scene::CheckedScene check_scene(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded) {
+    try {
+        return {scene, loaded};
+    } catch (const scene::Invalid& error) {
+        throw ciel::Error(ciel::printable(error.path) + ": " + error.what());
+    }
 }
 
 } // namespace
@@ -150,7 +142,7 @@ std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path) {
     return std::make_shared<store::LoadedDataset>(store::Dataset::open(path, store::LackingRanges::computed,
                                                                        std::nullopt,
                                                                        late_folder_in(default_import_folder())),
-                                                  field_cache_bytes);
+                                                  field_cache_bytes, read_when_needed);
 }
 
 scene::Scene parse_scene(const nlohmann::json& document) {
@@ -163,18 +155,37 @@ scene::Scene parse_scene(const nlohmann::json& document) {
     }
 }
 
-scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::LoadedDataset> loaded) {
-    read_late_step(scene, *loaded);
-    try {
-        return {std::move(scene), std::move(loaded)};
-    } catch (const scene::Invalid& error) {
-        throw ciel::Error(ciel::printable(error.path) + ": " + error.what());
-    }
+void read_late_step(const scene::Scene& scene, store::LoadedDataset& loaded) {
+    const auto dataset = loaded.dataset();
+    if (dataset->steps().empty()) return;
+    const std::size_t step = dataset->step_at(scene.time);
+    if (dataset->late_chunks(step).empty()) return;
+    ImportView view(stderr);
+    const CancelOnSignal signals;
+    importing::ImportLimits limits;
+    limits.memory_option += " of 'ciel import'";
+    limits.stalled_option += " of 'ciel import'";
+    const importing::ImportEnd end =
+        importing::run_import({{"inputs", {dataset->directory().string()}},
+                               {"step", {std::to_string(step)}},
+                               {"late-folder", {late_folder_in(default_import_folder()).string()}}},
+                              limits, view.listener(), signals.cancelled());
+    view.clear();
+    if (!end.problem.empty()) throw ciel::Error(end.problem);
+    (void)loaded.refresh();
 }
 
-std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked,
-                                                        ciel::Extraction extraction) {
-    return geometry::SceneGeometry(extraction).update(checked);
+MadeGeometry make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded,
+                           ciel::Extraction extraction) {
+    const auto make = [&] {
+        scene::CheckedScene checked = check_scene(scene, loaded);
+        auto geometry = geometry::SceneGeometry(extraction).update(checked);
+        return MadeGeometry{std::move(checked), std::move(geometry)};
+    };
+    MadeGeometry made = make();
+    if (made.geometry->awaited.empty()) return made;
+    read_late_step(scene, *loaded);
+    return make();
 }
 
 double time_of_step(const store::Dataset& dataset, double time) {

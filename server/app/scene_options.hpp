@@ -40,10 +40,17 @@ struct SceneOptions {
 [[nodiscard]] std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path);
 // Throws Error if the scene is invalid; the error names the path of the invalid member in the document.
 [[nodiscard]] scene::Scene parse_scene(const nlohmann::json& document);
-// Throws Error if the scene names something that the dataset does not have.
-[[nodiscard]] scene::CheckedScene check_scene(scene::Scene scene, std::shared_ptr<store::LoadedDataset> loaded);
-[[nodiscard]] std::shared_ptr<const geometry::Geometry> make_geometry(const scene::CheckedScene& checked,
-                                                                      ciel::Extraction extraction);
+// Reads all late arrays (not read from the source yet) of the scene's step. Shows progress on stderr. Throws Error.
+void read_late_step(const scene::Scene& scene, store::LoadedDataset& loaded);
+
+struct MadeGeometry {
+    scene::CheckedScene checked;
+    std::shared_ptr<const geometry::Geometry> geometry;
+};
+// Reads the late arrays of the scene's step if a layer needs one of them. Throws Error if the scene names something
+// that the dataset does not have.
+[[nodiscard]] MadeGeometry make_geometry(const scene::Scene& scene, const std::shared_ptr<store::LoadedDataset>& loaded,
+                                         ciel::Extraction extraction);
 
 // Returns `time` itself if the dataset has no steps. Prints a note to stderr if the result differs from `time`.
 [[nodiscard]] double time_of_step(const store::Dataset& dataset, double time);

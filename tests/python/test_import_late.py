@@ -388,6 +388,19 @@ def test_extract_reads_the_step_that_it_needs(source, tmp_path):
     assert written(tmp_path / "a.ciel") == [0, 3, 5]
 
 
+def test_a_picture_reads_a_late_step_only_if_a_layer_needs_it(source, tmp_path):
+    imported(source, tmp_path / "a.ciel", tmp_path)
+    picture = ["render", tmp_path / "a.ciel", "--time", "3", "--size", "64x64", "-o", tmp_path / "a.png"]
+    assert run(*picture, "--slice", "x=0.5", cache=tmp_path).returncode == 0
+    assert run("extract", tmp_path / "a.ciel", "--time", "3", "--slice", "x=0.5", "-o", tmp_path / "a.ply", cache=tmp_path).returncode == 0
+    assert written(tmp_path / "a.ciel") == [0, 5], "a slice of one color needs no value"
+    colored = ["extract", tmp_path / "a.ciel", "--time", "2", "--slice", "x=0.5", "--color", "f", "-o", tmp_path / "a.vtp"]
+    assert run(*colored, cache=tmp_path).returncode == 0
+    assert written(tmp_path / "a.ciel") == [0, 2, 5]
+    assert run(*picture, "--slice", "x=0.5", "--color", "f", cache=tmp_path).returncode == 0
+    assert written(tmp_path / "a.ciel") == [0, 2, 3, 5]
+
+
 def scene_at(time: float) -> dict:
     return {"dataset": "a", "time": time, "layers": {"iso": {"type": "iso", "array": "f", "values": [4]}}}
 
