@@ -1,6 +1,8 @@
 // Depth peeling of transparent layers, shared by the server and the page: which fragments a layer has, what it records of
 // lines, and how layers are added up. For desktop GLSL 3.30 and GLSL ES 3.00; both are built from this text.
 // After Everitt, "Interactive order-independent transparency", NVIDIA 2001.
+// Macros: PEELED, for a fragment shader that draws a layer. RECORDED, with PEELED: the layer records lines. JOINING, with
+// RECORDED: adds the test of the second pass over the lines.
 
 const float least = 5e-7; // smallest difference in depth that counts: a few steps of 24 bits, plus rounding
 
@@ -36,7 +38,8 @@ uniform highp sampler2D nearer_lines; // record of the previous layer
 layout(location = 1) out highp vec2 record;
 #endif
 
-// Returns whether a fragment is behind the previous layer.
+// Returns whether a fragment is behind the previous layer, and something is visible there. Sets `record` to that of the
+// previous layer.
 bool is_seen(float depth) {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef RECORDED
@@ -62,13 +65,14 @@ bool is_of_own_line(float number, float depth, float reach, float opaque) {
 #endif
 
 bool hides_all(float alpha) { return alpha > 0.998; }
+// Call it after is_line_seen().
 void record_line(float number, float alpha, float depth, float reach) {
     record = vec2(number > 0.5 ? number : hides_all(alpha) ? -1.0 : 0.0, depth + reach);
 }
 #endif
 
-// Returns the light of a layer that is seen through `volume`, the premultiplied color of the volumes in front of it. It is
-// blended behind the nearer layers: rgb by their transmittance, which is then multiplied by 1 - a.
+// Returns the light of a layer that is seen through `volume`, the premultiplied color of the volumes in front of it.
+// Blending multiplies rgb by the transmittance of the nearer layers. Then it multiplies this transmittance by 1 - a.
 vec4 light_of_layer(vec4 layer, vec4 volume) {
     return vec4((volume.rgb + (1.0 - volume.a) * layer.rgb) * layer.a, layer.a);
 }

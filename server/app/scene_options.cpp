@@ -65,8 +65,9 @@ nlohmann::json volume_layer(const std::string& text) {
     return layer;
 }
 
-// Makes a layer that lacks a late array await it; make_geometry() then reads it.
-store::LateAnswer read_when_needed(const store::Dataset& /*dataset*/, std::size_t /*step*/) {
+// Makes a layer wait for its late array, which make_geometry() then reads. The words are shown if it is still late
+// then.
+store::LateAnswer await_late_step(const store::Dataset& /*dataset*/, std::size_t /*step*/) {
     return {"has not been read from its source; use `ciel import --step`", false};
 }
 
@@ -142,7 +143,7 @@ std::shared_ptr<store::LoadedDataset> load_dataset(const std::string& path) {
     return std::make_shared<store::LoadedDataset>(store::Dataset::open(path, store::LackingRanges::computed,
                                                                        std::nullopt,
                                                                        late_folder_in(default_import_folder())),
-                                                  field_cache_bytes, read_when_needed);
+                                                  field_cache_bytes, await_late_step);
 }
 
 scene::Scene parse_scene(const nlohmann::json& document) {
@@ -182,8 +183,7 @@ MadeGeometry make_geometry(const scene::Scene& scene, const std::shared_ptr<stor
         auto geometry = geometry::SceneGeometry(extraction).update(checked);
         return MadeGeometry{std::move(checked), std::move(geometry)};
     };
-    MadeGeometry made = make();
-    if (made.geometry->awaited.empty()) return made;
+    if (MadeGeometry made = make(); made.geometry->awaited.empty()) return made;
     read_late_step(scene, *loaded);
     return make();
 }

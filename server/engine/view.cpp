@@ -103,8 +103,8 @@ std::optional<FrameRequest> View::take(bool still) {
     }
     if (const auto held = ids_of_frame_.find(held_); stream_ == Stream::geometry && held != ids_of_frame_.end())
         request.held = {held_, held->second};
-    static_cast<Turn&>(request) =
-        schedule_.take(still, Clock::now()); // last, so that an exception does not lose the version
+    // Last, so that an exception does not lose the version.
+    static_cast<FrameTurn&>(request) = schedule_.take(still, Clock::now());
     return request;
 }
 
@@ -141,6 +141,11 @@ void View::deliver(const FrameRequest& request, std::vector<std::vector<std::uin
     post_job();
     lock.unlock();
     if (bytes == 0) return;
+    run_job([&] { note(request, bytes, times); }); // must not throw, because the next frame may have begun
+}
+
+// Counts a frame, and writes a slow one to the log.
+void View::note(const FrameRequest& request, std::size_t bytes, const FrameTimes& times) {
     services_.metrics.count_frame(request.still, bytes, times);
     const double made_ms = times.extract + times.draw + times.encode;
     if (made_ms > (request.still ? slow_still_ms : slow_frame_ms))

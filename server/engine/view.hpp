@@ -18,7 +18,7 @@ namespace server::engine {
 enum class Stream { image, geometry };
 using wire::MovingCodec; // codec of interactive pictures; a still picture is always a PNG
 
-struct FrameRequest : Turn {
+struct FrameRequest : FrameTurn {
     geometry::ViewSize size;
     Stream stream = Stream::image;
     double scale = 1;                      // side of an interactive picture as a fraction of the view's side
@@ -74,6 +74,7 @@ private:
     void post_job(); // posts a job for the next frame if one is due; requires mutex_ to be held
     // Returns whether one more frame may be sent. The frame is assumed to be as large as the last frame.
     [[nodiscard]] bool has_room() const { return window_.has_room() && connection_->may_send(frame_bytes_); }
+    void note(const FrameRequest& request, std::size_t bytes, const FrameTimes& times);
     void make_again_later(const FrameRequest& request); // requires mutex_ to be held
 
     const std::uint32_t id_;

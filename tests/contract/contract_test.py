@@ -71,7 +71,7 @@ class Document(unittest.TestCase):
                 required = [param.get("required", False) for param in method["params"]]
                 self.assertEqual(required, sorted(required, reverse=True), "required params come first")
 
-    def test_each_slow_method_reports_progress(self):
+    def test_each_slow_method_takes_progress(self):
         for method in DOCUMENT["methods"]:
             if method.get("x-slow"):
                 self.assertIn("progress", [param["name"] for param in method["params"]], method["name"])

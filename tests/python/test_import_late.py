@@ -388,7 +388,7 @@ def test_extract_reads_the_step_that_it_needs(source, tmp_path):
     assert written(tmp_path / "a.ciel") == [0, 3, 5]
 
 
-def test_a_picture_reads_a_late_step_only_if_a_layer_needs_it(source, tmp_path):
+def test_a_late_step_is_read_only_if_its_values_are_needed(source, tmp_path):
     imported(source, tmp_path / "a.ciel", tmp_path)
     picture = ["render", tmp_path / "a.ciel", "--time", "3", "--size", "64x64", "-o", tmp_path / "a.png"]
     assert run(*picture, "--slice", "x=0.5", cache=tmp_path).returncode == 0

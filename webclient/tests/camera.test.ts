@@ -184,10 +184,10 @@ describe("other moves", () => {
 
   test("center brings a point to the middle from the same side", () => {
     const point: Vec3 = [11, 2, 100.2];
-    const centerd = center(start, point);
-    expect(project(centerd, point, size)).toMatchObject({ x: size.width / 2, y: size.height / 2 });
-    expect(distance(centerd)).toBeCloseTo(distance(start), 9);
-    close(frame(centerd).forward, frame(start).forward);
+    const centered = center(start, point);
+    expect(project(centered, point, size)).toMatchObject({ x: size.width / 2, y: size.height / 2 });
+    expect(distance(centered)).toBeCloseTo(distance(start), 9);
+    close(frame(centered).forward, frame(start).forward);
   });
 
   test("parallel and perspective span the same at the target, there and back", () => {

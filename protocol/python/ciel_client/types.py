@@ -439,7 +439,7 @@ class CallProgressParams(TypedDict):
     """call.progress: Progress of a call that has a parameter `progress`. The first is sent when the call leaves the queue."""
 
     progress: str  # Name that the call gave as `progress`.
-    stage: Literal["reading", "surfaces", "measuring", "waiting", "drawing", "writing"]  # reading: the step is read from the dataset's source; the call goes on after that. surfaces: makes the surfaces of the layers. measuring: finds the cell, range, box, point or counts of the answer. waiting: another picture is drawn first, or another commit ends first. drawing: draws the picture. writing: makes the file, or writes the step of append.commit.
+    stage: Literal["reading", "surfaces", "measuring", "waiting", "drawing", "writing"]  # reading: the step is being read from the dataset's source. The call begins again after a pause, so its stages repeat. surfaces: makes the surfaces of the layers. measuring: finds the cell, range, box, point or counts of the answer. waiting: another picture is drawn first, or another commit ends first. drawing: draws the picture. writing: makes the file, or writes the step of append.commit.
     done: int  # Number of layers made in the stage surfaces, of values read by dataset.histogram, or of arrays written by append.commit. 0 in other stages. (at least 0)
     of: int  # Number of layers to make, of values to read (each twice if `range` is absent), or of arrays to write. 0 in other stages. (at least 0)
 

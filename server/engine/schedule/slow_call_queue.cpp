@@ -47,7 +47,7 @@ void SlowCallQueue::post_after(std::chrono::milliseconds pause, std::uint64_t co
 
 std::chrono::milliseconds SlowCallQueue::pause_after(unsigned tries) {
     constexpr std::chrono::milliseconds first{200}, longest{2000};
-    constexpr unsigned doublings = 4; // more would exceed the longest pause
+    constexpr unsigned doublings = 4; // enough to reach the longest pause
     return std::min(first * (1 << std::min(std::max(tries, 1U) - 1, doublings)), longest);
 }
 

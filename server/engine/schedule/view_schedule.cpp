@@ -12,7 +12,7 @@ constexpr unsigned most_ways_given = 3;               // a still picture gives w
 
 } // namespace
 
-bool Turn::gives_way_at(Time now) const { return gives_way && now - started > others_wait; }
+bool FrameTurn::gives_way_at(Time now) const { return gives_way && now - started > others_wait; }
 
 void ViewSchedule::offer(Version version, Time now) {
     if (newest_ && version->revision < newest_->revision) return;
@@ -44,7 +44,7 @@ bool ViewSchedule::begin(bool still, bool has_room, Time now) {
     return is_due && has_room && !closed_ && !working_;
 }
 
-Turn ViewSchedule::take(bool still, Time now) {
+FrameTurn ViewSchedule::take(bool still, Time now) {
     stop_ = std::stop_source();
     started_ = now;
     working_ = true;
@@ -53,7 +53,7 @@ Turn ViewSchedule::take(bool still, Time now) {
             stop_.get_token(), started_};
 }
 
-void ViewSchedule::made(const Turn& turn, bool still_follows, Time now) {
+void ViewSchedule::made(const FrameTurn& turn, bool still_follows, Time now) {
     still_wanted_ = still_follows && !has_change() ? turn.version : nullptr;
     gave_up_ = false;
     gave_way_ = 0;
@@ -62,7 +62,7 @@ void ViewSchedule::made(const Turn& turn, bool still_follows, Time now) {
     working_ = false;
 }
 
-void ViewSchedule::had_no_room(const Turn& turn) {
+void ViewSchedule::had_no_room(const FrameTurn& turn) {
     if (!turn.still && !has_change()) mailbox_ = turn.version;
     working_ = false;
 }

@@ -11,7 +11,7 @@ namespace server::engine {
 using Time = sessions::Clock::time_point;
 
 // A frame that is being made.
-struct Turn {
+struct FrameTurn {
     std::shared_ptr<const sessions::SceneVersion> version;
     bool still = false;
     bool gives_way = false; // whether a still picture that takes long lets frames of other views go first
@@ -31,7 +31,7 @@ public:
 
     void offer(Version version, Time now); // ignores a version that is older than the newest
     // Makes frames of the newest version again. Returns whether there is one.
-    bool again();
+    [[nodiscard]] bool again();
     void acknowledged(Time now); // a still picture waits again, because the user may react to the frame
     void close();
 
@@ -40,20 +40,22 @@ public:
     // frame.
     [[nodiscard]] bool may_post() const { return !closed_ && !working_ && !posted_; }
     [[nodiscard]] bool has_change() const { return mailbox_ != nullptr; } // an interactive frame is due
+    // Returns whether a still picture is wanted and no job for it is posted.
     [[nodiscard]] bool lacks_still() const { return still_wanted_ && !still_posted_; }
     [[nodiscard]] Time still_due() const { return quiet_until_; }
+    // The view has posted a job; `accepted`: whether the workers took it.
     void posted(bool still, bool accepted) { (still ? still_posted_ : posted_) = accepted; }
 
     // A posted job has begun. Returns whether its frame is due. `has_room`: whether one more frame may be sent.
     [[nodiscard]] bool begin(bool still, bool has_room, Time now);
     // REQUIRES: begin() has just returned true. Exactly one of the functions below must follow.
-    [[nodiscard]] Turn take(bool still, Time now);
+    [[nodiscard]] FrameTurn take(bool still, Time now);
     // The frame is made. `still_follows`: a still picture of the same version is wanted if nothing newer waits.
-    void made(const Turn& turn, bool still_follows, Time now);
-    void had_no_room(const Turn& turn); // an interactive frame was dropped; it is made again later
-    void given_up();                    // the frame was cancelled
-    void waits();                       // arrays are being read from the source; a new version is offered later
-    void gave_way(Time now);            // a still picture let other views go first; it is due again at once
+    void made(const FrameTurn& turn, bool still_follows, Time now);
+    void had_no_room(const FrameTurn& turn); // an interactive frame was dropped; it is made again later
+    void given_up();                         // the frame was cancelled
+    void waits();                            // arrays are being read from the source; a new version is offered later
+    void gave_way(Time now);                 // a still picture let other views go first; it is due again at once
     void failed();
 
 private:

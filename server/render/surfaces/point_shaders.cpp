@@ -137,7 +137,7 @@ Program make_point_program(const Gl& gl) {
 }
 
 Program make_peeling_point_program(const Gl& gl, bool recorded) {
-    return make_program(gl, lying(), layer_fragment, peeled(recorded));
+    return make_program(gl, lying(), layer_fragment, layer_macros(recorded));
 }
 
 Program make_point_between_program(const Gl& gl, bool on_surfaces) {

@@ -103,7 +103,7 @@ float depth_on_surface(vec2 beside, float reach, float slack, float most, bool b
 }
 )";
 
-std::string peeled(bool recorded) {
+std::string layer_macros(bool recorded) {
     return recorded ? "#define PEELED\n#define RECORDED\n#define JOINING\n" : "#define PEELED\n";
 }
 

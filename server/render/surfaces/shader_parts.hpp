@@ -9,10 +9,10 @@ namespace server::render {
 // GLSL interface block `surface`, to be written after "in" or "out". It is the output of surface_vertex.
 extern const char* const surface_block;
 extern const std::string surface_vertex;
-// GLSL of depth_on_surface(), for lines and points, after protocol/shading/depth_layers.glsl.
+// GLSL: protocol/shading/depth_layers.glsl, then depth_on_surface(), for lines and points.
 extern const std::string on_surface_glsl;
-// Returns the definitions for depth_layers.glsl in a program that draws layers. `recorded`: the layers record lines.
-[[nodiscard]] std::string peeled(bool recorded);
+// Returns the macros of depth_layers.glsl for a program that draws layers. `recorded`: the layers record lines.
+[[nodiscard]] std::string layer_macros(bool recorded);
 
 // Links a program and looks up its uniforms. Throws Error with the compiler's or the linker's message.
 [[nodiscard]] Program link(const Gl& gl, const std::vector<Stage>& stages);

@@ -256,11 +256,14 @@ Program make_plain_program(const Gl& gl) {
 }
 
 Program make_peeling_program(const Gl& gl, bool recorded) {
-    return link(gl, {{GL_VERTEX_SHADER, surface_vertex},
-                     {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, peeled(recorded) + depth_layers_glsl)}});
+    return link(
+        gl, {{GL_VERTEX_SHADER, surface_vertex},
+             {GL_FRAGMENT_SHADER, with_color_scale(triangle_fragment, layer_macros(recorded) + depth_layers_glsl)}});
 }
 
-Program make_peeling_line_program(const Gl& gl, bool recorded) { return make_line_program(gl, peeled(recorded), ""); }
+Program make_peeling_line_program(const Gl& gl, bool recorded) {
+    return make_line_program(gl, layer_macros(recorded), "");
+}
 
 Program make_normals_program(const Gl& gl) {
     return link(gl, {{GL_VERTEX_SHADER, surface_vertex},

@@ -121,7 +121,8 @@ void MappedFile::load(std::span<const std::byte> part) const {
     const std::uintptr_t before = address % memory_page;
     // NOLINTNEXTLINE(performance-no-int-to-ptr): rounds a pointer down to its memory page
     auto* const begin = reinterpret_cast<void*>(address - before);
-    // Requests all memory pages at once. Without reading ahead (expect_random_reads), each access would read one of them.
+    // Requests all memory pages at once. Without reading ahead (expect_random_reads), each access would read one of
+    // them.
     (void)::madvise(begin, part.size() + before, MADV_WILLNEED);
     if (::madvise(begin, part.size() + before, populate_read) == 0) return;
     if (errno == EFAULT || errno == EHWPOISON) refuse();

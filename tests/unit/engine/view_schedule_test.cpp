@@ -30,8 +30,8 @@ protected:
     }
     void offer(std::uint64_t revision) { schedule.offer(version(revision), now); }
     // Begins a frame; fails the test unless one is due.
-    Turn begin(bool still) {
-        EXPECT_TRUE(schedule.begin(still, true, now));
+    FrameTurn begin(bool still) {
+        if (!schedule.begin(still, true, now)) throw std::runtime_error("no frame is due");
         return schedule.take(still, now);
     }
     // Makes the interactive frame of a revision, so that its still picture is wanted.
@@ -62,7 +62,7 @@ TEST_F(ViewScheduleTest, MakesOneFrameAtATime) {
     offer(1);
     schedule.posted(false, true);
     EXPECT_FALSE(schedule.may_post()) << "a job is posted";
-    const Turn turn = begin(false);
+    const FrameTurn turn = begin(false);
     EXPECT_FALSE(schedule.may_post()) << "a frame is being made";
     offer(2);
     EXPECT_FALSE(schedule.begin(false, true, now));
@@ -86,15 +86,27 @@ TEST_F(ViewScheduleTest, AStillFollowsAfterAPause) {
     schedule.acknowledged(now);
     EXPECT_FALSE(schedule.begin(true, true, now + 149ms)) << "the user may react to the frame";
     wait(150ms);
-    const Turn still = begin(true);
+    const FrameTurn still = begin(true);
     EXPECT_EQ(still.version->revision, 1U);
     schedule.made(still, false, now);
     EXPECT_FALSE(schedule.lacks_still());
 }
 
+TEST_F(ViewScheduleTest, AStillWaitsForAPostedFrame) {
+    show(1);
+    schedule.posted(true, true);
+    EXPECT_FALSE(schedule.lacks_still()) << "its job is posted";
+    wait(150ms);
+    schedule.posted(false, true);
+    EXPECT_FALSE(schedule.begin(true, true, now));
+    EXPECT_TRUE(schedule.lacks_still()) << "the job has begun; another one is needed";
+    EXPECT_FALSE(schedule.begin(false, true, now)) << "no change waits";
+    begin(true);
+}
+
 TEST_F(ViewScheduleTest, NoStillFollowsWhileANewerSceneWaits) {
     offer(1);
-    const Turn turn = begin(false);
+    const FrameTurn turn = begin(false);
     offer(2);
     schedule.made(turn, true, now);
     EXPECT_FALSE(schedule.lacks_still());
@@ -103,19 +115,19 @@ TEST_F(ViewScheduleTest, NoStillFollowsWhileANewerSceneWaits) {
 TEST_F(ViewScheduleTest, AChangeStopsAStillAtOnce) {
     show(1);
     wait(150ms);
-    const Turn still = begin(true);
+    const FrameTurn still = begin(true);
     offer(2);
     EXPECT_TRUE(still.stop.stop_requested());
 }
 
 TEST_F(ViewScheduleTest, ASupersededFrameIsFinishedUnlessItTakesLong) {
     offer(1);
-    const Turn quick = begin(false);
+    const FrameTurn quick = begin(false);
     wait(500ms);
     offer(2);
     EXPECT_FALSE(quick.stop.stop_requested());
     schedule.made(quick, true, now);
-    const Turn slow = begin(false);
+    const FrameTurn slow = begin(false);
     wait(501ms);
     offer(3);
     EXPECT_TRUE(slow.stop.stop_requested());
@@ -127,12 +139,12 @@ TEST_F(ViewScheduleTest, OfTwoSlowFramesInARowOneIsFinished) {
     wait(1s);
     offer(2);
     schedule.given_up();
-    const Turn second = begin(false);
+    const FrameTurn second = begin(false);
     wait(10s);
     offer(3);
     EXPECT_FALSE(second.stop.stop_requested());
     schedule.made(second, true, now);
-    const Turn third = begin(false);
+    const FrameTurn third = begin(false);
     wait(1s);
     offer(4);
     EXPECT_TRUE(third.stop.stop_requested());
@@ -142,12 +154,12 @@ TEST_F(ViewScheduleTest, AStillGivesWayThreeTimes) {
     show(1);
     wait(150ms);
     for (int i = 0; i < 3; ++i) {
-        const Turn still = begin(true);
+        const FrameTurn still = begin(true);
         EXPECT_FALSE(still.gives_way_at(now + 500ms));
         EXPECT_TRUE(still.gives_way_at(now + 501ms));
         schedule.gave_way(now);
     }
-    const Turn last = begin(true);
+    const FrameTurn last = begin(true);
     EXPECT_FALSE(last.gives_way_at(now + 1h));
     schedule.made(last, false, now);
     show(2);
@@ -158,7 +170,7 @@ TEST_F(ViewScheduleTest, AStillGivesWayThreeTimes) {
 TEST_F(ViewScheduleTest, AFrameWithoutRoomIsMadeAgain) {
     offer(1);
     schedule.had_no_room(begin(false));
-    const Turn again = begin(false);
+    const FrameTurn again = begin(false);
     EXPECT_EQ(again.version->revision, 1U);
     offer(2);
     schedule.had_no_room(again);
@@ -176,7 +188,7 @@ TEST_F(ViewScheduleTest, AStillWithoutRoomIsMadeAgain) {
 TEST_F(ViewScheduleTest, TheSameSceneIsDrawnAgain) {
     EXPECT_FALSE(schedule.again()) << "there is no scene yet";
     offer(1);
-    const Turn turn = begin(false);
+    const FrameTurn turn = begin(false);
     EXPECT_TRUE(schedule.again());
     EXPECT_TRUE(turn.stop.stop_requested());
     schedule.given_up();
@@ -198,7 +210,7 @@ TEST_F(ViewScheduleTest, AFailedOrAwaitedSceneHasNoStill) {
 
 TEST_F(ViewScheduleTest, AClosedViewMakesNoFrame) {
     offer(1);
-    const Turn turn = begin(false);
+    const FrameTurn turn = begin(false);
     offer(2);
     schedule.close();
     EXPECT_TRUE(turn.stop.stop_requested());

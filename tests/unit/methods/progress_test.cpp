@@ -6,9 +6,12 @@
 namespace ciel::test {
 namespace {
 
+using testing::Contains;
 using testing::Each;
 using testing::ElementsAre;
 using testing::Field;
+using testing::Gt;
+using testing::HasSubstr;
 using testing::StrEq;
 
 struct Told {
@@ -35,8 +38,8 @@ protected:
             if (names.empty() || names.back() != one.stage) names.push_back(one.stage);
         return names;
     }
-    // Calls a method and returns the stages that the caller is told.
-    std::vector<std::string> stages_of(const std::string& method, json params) {
+    // Calls a method and returns what the caller is told.
+    std::vector<Told> told_by(const std::string& method, json params) {
         params["progress"] = "mine";
         client.call(method, params);
         json last = picture(in_session({}));
@@ -44,7 +47,10 @@ protected:
         client.call("picture.render", last);
         std::vector<Told> all = heard_by(client);
         std::erase_if(all, [](const Told& one) { return one.name == "last"; });
-        return stages(all);
+        return all;
+    }
+    std::vector<std::string> stages_of(const std::string& method, const json& params) {
+        return stages(told_by(method, params));
     }
     static json picture(json params) {
         params.update({{"width", 16}, {"height", 16}, {"progress", "mine"}});
@@ -78,6 +84,30 @@ TEST_F(CallProgress, OfCallsThatMeasureHasTheirStages) {
     EXPECT_THAT(stages_of("probe.point", pixel), ElementsAre("surfaces", "measuring", "waiting", "measuring"));
     EXPECT_THAT(stages_of("probe.point", in_session({{"position", {1003, 3, -47}}})), ElementsAre("measuring"));
     EXPECT_THAT(stages_of("dataset.histogram", {{"dataset", "box"}, {"array", "p"}}), ElementsAre("measuring"));
+}
+
+// With three bins, the stored histogram is of no use, and all values are read.
+TEST_F(CallProgress, OfAHistogramCountsTheValuesThatAreRead) {
+    const auto told = told_by("dataset.histogram", {{"dataset", "box"}, {"array", "p"}, {"bins", 3}});
+    EXPECT_THAT(told, Contains(Field(&Told::of, Gt(0))));
+    EXPECT_THAT(told, Contains(Field(&Told::done, Gt(0))));
+}
+
+TEST_F(CallProgress, OfAHistogramEndsWithItsConnection) {
+    std::stop_source stop;
+    const auto connection = std::make_shared<sessions::Connection>();
+    connection->stop = stop.get_token();
+    connection->send_binary = [](const auto&) {};
+    connection->send_text = [&](const std::string& text) {
+        if (text.find("measuring") != std::string::npos) stop.request_stop();
+    };
+    std::promise<std::string> answer;
+    methods::dispatch(
+        server, connection,
+        Client::request_of("dataset.histogram", {{"dataset", "box"}, {"array", "p"}, {"bins", 3}, {"progress", "x"}})
+            .dump(),
+        [&](std::string text) { answer.set_value(std::move(text)); });
+    EXPECT_THAT(answer.get_future().get(), HasSubstr("the connection ended before the answer"));
 }
 
 TEST_F(CallProgress, IsToldToTheCallerOfAGivenScene) {

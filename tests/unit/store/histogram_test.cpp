@@ -6,6 +6,7 @@
 #include "store/no_value.hpp"
 #include "support/store_box/box.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

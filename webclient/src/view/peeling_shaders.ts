@@ -36,12 +36,12 @@ uniform highp sampler2D behind; // depths of opaque surfaces
 #endif
 void leave_out_the_same_line(float depth, float alpha) {
   float number = color.a < 1.0 ? place_in_order : 0.0;
-  float joined = reach_of_joint(joint);
-  if (!is_line_seen(number, depth, joined)) discard;
+  float joint_reach = reach_of_joint(joint);
+  if (!is_line_seen(number, depth, joint_reach)) discard;
 #ifdef JOINING
-  if (!is_of_own_line(number, depth, joined, texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r)) discard;
+  if (!is_of_own_line(number, depth, joint_reach, texelFetch(behind, ivec2(gl_FragCoord.xy), 0).r)) discard;
 #endif
-  record_line(number, alpha, depth, joined);
+  record_line(number, alpha, depth, joint_reach);
   gl_FragDepth = depth;
 }
 #endif

@@ -95,6 +95,7 @@ void main() {
   if (cover < 0.02) discard;
 #ifdef PEELED
   leave_out_what_is_seen(depth_in_order());
+  if (hides_all(color.a * cover)) record.x = -1.0;
 #endif
   vec3 base = base_color(value, color.rgb, scale_row);
   if (lit) base = lit_ball(base, from_center / (point_size * 0.5 + 0.5));
