@@ -1,7 +1,6 @@
 // State of the page between the choice of a dataset and the first picture of this dataset. In this time, the page must
 // not show numbers of the previous dataset.
 import type { Scene } from "../generated/protocol";
-import type { Model } from "./model";
 import type { PageState } from "./state";
 
 type Opening = Pick<PageState, "chosen" | "scene" | "shownScene" | "fatal" | "failedRevision">;
@@ -19,7 +18,7 @@ export function openingDataset({ chosen, scene, shownScene, fatal, failedRevisio
  * Call before a request to the server. The returned function returns false if the scene has another dataset by then.
  * The answer is then about the previous dataset and must be ignored.
  */
-export function sameDataset({ scene }: Pick<Model, "scene">): () => boolean {
+export function sameDataset({ scene }: { scene: { peek(): Scene | null } }): () => boolean {
   const asked = scene.peek()?.dataset;
   return () => scene.peek()?.dataset === asked;
 }
