@@ -28,6 +28,7 @@ def test_each_program_runs_and_writes_its_file(shown, tmp_path):
     assert (tmp_path / "slice.ply").read_bytes()[:3] == b"ply"
     assert names["still"][:4] == b"\x89PNG"
     assert names["there"]["hit"]
+    assert names["stages"][0] == "surfaces 0/1"
     assert client.scene_get(session=names["session"])["can_redo"]
 
 
