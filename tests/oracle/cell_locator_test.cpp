@@ -62,6 +62,21 @@ TEST_P(CellLocators, WeightsAreExactForALinearField) {
     EXPECT_GE(found, GetParam().planar_faces ? 40 : 30);
 }
 
+// At a vertex, the interpolated value must have the bits of the stored one.
+TEST_P(CellLocators, AVertexHasItsOwnWeightAlone) {
+    const Assembled assembled = assemble(test::view(GetParam().make()));
+    const FaceMeshView mesh = test::kept(assembled.mesh.view());
+    const CellLocator locator = locator_of(Topology(mesh), mesh);
+    for (Index face = 0; face < mesh.face_count(); ++face)
+        for (const Index corner : mesh.loop(face)) {
+            const Vec3d at = vertex_at(mesh, corner);
+            const VertexWeights weights = locator.weights_in(mesh.owner[face], at);
+            ASSERT_EQ(weights.size(), 1U);
+            ASSERT_EQ(weights[0].second, 1);
+            ASSERT_EQ(vertex_at(mesh, weights[0].first), at); // another vertex only where two are at one place
+        }
+}
+
 // The cell found at a point must not depend on the size of the blocks or on the face loops that they store.
 TEST_P(CellLocators, FindTheSameCellWithBlocksOfAnySize) {
     const Assembled assembled = assemble(test::view(GetParam().make()));

@@ -107,6 +107,28 @@ def test_probes_answer_the_files_numbers_bit_for_bit(source, dataset, server):
         assert values["cell:id"] == of_cells(source, "id")[cell]
 
 
+def test_a_probe_at_a_corner_of_tetrahedra_answers_the_files_number(tmp_path):
+    random = np.random.default_rng(1)
+    points = vtk.vtkPoints()
+    points.SetDataTypeToDouble()
+    points.SetData(numpy_to_vtk(random.random((40, 3)), deep=1))
+    corners = vtk.vtkPolyData()
+    corners.SetPoints(points)
+    mesh = vtk.vtkDelaunay3D()
+    mesh.SetInputData(corners)
+    mesh.Update()
+    grid = mesh.GetOutput()
+    add(grid.GetPointData(), "p", FAR + random.random(40))
+    writer = vtk.vtkXMLUnstructuredGridWriter()
+    writer.SetFileName(str(tmp_path / "a.vtu"))
+    writer.SetInputData(grid)
+    writer.Write()
+    with Server(imported(tmp_path, tmp_path / "a.vtu").path) as running:
+        for vertex, position in enumerate(points_of(grid).tolist()):
+            answer = running.call("probe.point", scene=EMPTY, position=position)
+            assert answer["values"]["p"] == of_points(grid, "p")[vertex]
+
+
 def test_an_iso_surface_lies_where_the_doubles_have_the_value(dataset, tmp_path):
     value = FAR + 0.4 * REACH
     path = tmp_path / "s.vtp"

@@ -128,6 +128,10 @@ Index CellLocator::nearest_vertex(Index cell, const Vec3d& position) const {
 VertexWeights CellLocator::weights_in(Index cell, const Vec3d& position) const {
     const Vec3d at = position - points_.origin;
     const Cell of = cell_of(topology_, points_, cell);
+    // The weights below would keep rounding errors of the other vertices, so that the value would not be the stored
+    // one.
+    for (const Index vertex : of.vertices)
+        if (ciel::position(points_, vertex) == at) return {{vertex, 1}};
     const Vec3d center = centroid(points_, of.vertices);
 
     // Divides the cell into tetrahedra. The corners of a tetrahedron are the center of the cell, the center of a face,
