@@ -115,5 +115,25 @@ TEST_F(ClipSurface, ValuesAndNormalsAreInterpolated) {
     EXPECT_THROW((void)clip_surface(surface, std::span(values).first(1), {}, slack), Error);
 }
 
+// The rounding error at a far vertex is larger than the distance of a near one from the plane.
+TEST(ClipSurfaceFar, ANewVertexLiesInThePlane) {
+    Surface surface;
+    surface.positions = {{-1e30F, 0, 0}, {0, 0, 0}, {0, 1, 0}};
+    surface.points = {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}};
+    surface.polygon_offset = {0, 3};
+    surface.polygon_vertex = {0, 1, 2};
+    surface.polygon_cell = {0};
+    const std::vector<float> values{-1e30F, 0, 0};
+    for (const double side : {-1.0, 1.0}) {
+        const ClippedSurface cut = clip_surface(surface, values, std::vector{HalfSpace{{side, 0, 0}, side}}, 0);
+        const std::size_t kept = side < 0 ? 1 : 2;
+        ASSERT_EQ(cut.surface.positions.size(), kept + 2);
+        for (std::size_t p = kept; p < kept + 2; ++p) {
+            EXPECT_EQ(cut.surface.positions[p][0], -1);
+            EXPECT_EQ(cut.values[p], -1);
+        }
+    }
+}
+
 } // namespace
 } // namespace ciel::test

@@ -54,14 +54,16 @@ private:
         out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
     }
 
-    // Always interpolates from the kept end, so that both polygons of the side get the same bits.
+    // Interpolates from the end that is nearer to the plane, since the rounding error of a far end may be larger than the
+    // distance of the near one. Both polygons of the side get the same bits.
     Index crossing(Index from, Index to) {
         if (!keeps(from)) std::swap(from, to);
         const auto [known, is_new] =
             crossings_.try_emplace({from, to}, static_cast<Index>(out_.surface.positions.size()));
         if (!is_new) return known->second;
-        const double inside = std::max(distance_[from], 0.0);
-        const double t = inside / (inside - distance_[to]);
+        const double inside = std::max(distance_[from], 0.0), outside = -distance_[to];
+        if (outside < inside) std::swap(from, to);
+        const double t = std::min(inside, outside) / (inside + outside);
         const auto mixed = [t]<class Vector>(const Vector& a, const Vector& b) {
             return Vector{lerp(a[0], b[0], t), lerp(a[1], b[1], t), lerp(a[2], b[2], t)};
         };
