@@ -2,6 +2,7 @@
 // that a crash is one failed case.
 #include "damage/damaged_file.hpp"
 #include "damage/every_use.hpp"
+#include "store/cache/mapped_file.hpp"
 #include "store/cache/watched_mappings.hpp"
 #include "support/small_dataset/small_dataset.hpp"
 #include "support/store_box/box.hpp"
@@ -298,6 +299,27 @@ TEST(lost_files, are_of_one_dataset) {
                   if (one->is_intact()) return "nobody noticed";
                   if (store::lost_mapping_count() != 1) return "counts " + std::to_string(store::lost_mapping_count());
                   return other->is_intact() ? "" : "the other is taken for lost";
+              }),
+              "");
+}
+
+// Other memory pages of the mapping keep showing the file.
+TEST(lost_files, lose_only_the_memory_pages_that_cannot_be_read) {
+    const Folder folder;
+    EXPECT_EQ(in_child([&]() -> std::string {
+                  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+                  const std::string content(4 * page, 'x');
+                  replace(folder / "file", content);
+                  const store::MappedFile file(folder / "file", content.size());
+                  const auto byte = [&](std::size_t of_page) {
+                      return static_cast<char>(file.bytes()[of_page * page + page / 2]);
+                  };
+                  damage(folder / "file", Damage::truncated, 1);
+                  if (byte(2) != 0) return "the page is still there";
+                  if (!file.is_lost()) return "nobody noticed";
+                  rewrite(folder / "file", content);
+                  if (byte(1) != 'x' || byte(3) != 'x') return "a neighbor is lost, too";
+                  return byte(2) == 0 ? "" : "a page came back under its reader";
               }),
               "");
 }

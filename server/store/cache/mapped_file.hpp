@@ -1,7 +1,8 @@
 // MappedFile: a file of a known size, mapped for reading. Programs must replace the files of a dataset (new file +
-// rename), and never truncate or rewrite them in place. A mapping of a replaced or deleted file stays valid. A mapping
-// of a truncated file reads as zeros, and a mapping of a rewritten file shows the new content. Both mappings are called
-// lost: check_intact throws as soon as the change has been detected (watched_mappings.hpp).
+// rename), and never truncate or rewrite them in place. A mapping of a replaced or deleted file stays valid. In a
+// mapping of a truncated file, the memory pages that cannot be read have zeros. A mapping of a rewritten file shows the
+// new content. Both mappings are called lost: check_intact throws as soon as the change has been detected
+// (watched_mappings.hpp).
 #pragma once
 
 #include "store/files/files.hpp"

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <mutex>
 #include <sys/mman.h>
+#include <unistd.h>
 
 namespace server::store {
 
@@ -22,6 +23,7 @@ std::atomic<WatchedMapping*> first{nullptr};
 std::atomic<std::size_t> lost_count{0};
 std::mutex changing;
 struct sigaction previous {};
+const auto memory_page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
 
 static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<std::uint32_t>::is_always_lock_free &&
               std::atomic<Loss>::is_always_lock_free);
@@ -33,14 +35,20 @@ bool holds(const WatchedMapping& mapping, std::uintptr_t address) {
     return begin != 0 && address >= begin && address - begin < bytes && mapping.begin.load() == begin;
 }
 
+bool map_zeros(std::uintptr_t begin, std::size_t bytes) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the address came from a pointer
+    return ::mmap(reinterpret_cast<void*>(begin), bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) !=
+           MAP_FAILED;
+}
+
 // Runs in a signal handler, and therefore uses only atomics and system calls.
 bool replace_by_zeros(std::uintptr_t address) {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
         if (!holds(*each, address)) continue;
         note_loss(*each, Loss::shrunk);
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): the address came from a pointer
-        return ::mmap(reinterpret_cast<void*>(each->begin.load()), each->bytes.load(), PROT_READ,
-                      MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) != MAP_FAILED;
+        // Memory pages apart from each other are mappings of their own, and the system may allow no more of them.
+        return map_zeros(address - address % memory_page, memory_page) ||
+               map_zeros(each->begin.load(), each->bytes.load());
     }
     return false;
 }
