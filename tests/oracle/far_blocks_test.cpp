@@ -6,10 +6,13 @@
 #include "support/copied_records.hpp"
 #include "support/fields.hpp"
 #include "support/meshes.hpp"
+#include "wire/files/export_vtp.hpp"
+#include "wire/files/joined_surface.hpp"
 
 #include <gtest/gtest.h>
 #include <numeric>
 #include <random>
+#include <sstream>
 #include <sys/mman.h>
 
 namespace ciel::test {
@@ -123,6 +126,15 @@ BlockRanges without_values(BlockRanges near) {
     return behind(std::move(near), infinity, -infinity);
 }
 
+// Returns the content of a VTP file. Points at one mesh vertex are merged by its id.
+std::string exported(const Surface& surface) {
+    server::wire::JoinedSurface joined;
+    joined.add(surface, {});
+    std::ostringstream out;
+    (void)server::wire::write_vtp({joined.surface(), {}, joined.values()}, out);
+    return out.str();
+}
+
 class FarBlocks : public testing::TestWithParam<NamedMesh> {
 protected:
     void SetUp() override {
@@ -173,6 +185,7 @@ TEST_P(FarBlocks, HaveTheSameSurfaces) {
                 ASSERT_TRUE(expected.extract(nu, true, a));
                 ASSERT_TRUE(found.extract(nu, true, b));
                 ASSERT_EQ(bit_difference(behind_others(a), b), "") << nu;
+                ASSERT_EQ(exported(a), exported(b)) << nu;
             }
         }
 }

@@ -38,6 +38,33 @@ std::span<const Index> polygon(const Surface& surface, std::size_t index) {
     return std::span(surface.polygon_vertex).subspan(begin, end - begin);
 }
 
+Surface only(const Surface& all, const std::vector<Index>& blocks) {
+    Surface some;
+    std::vector<Index> kept(all.points.size(), none);
+    for (const Surface::Chunk& chunk : all.chunks) {
+        if (!std::ranges::binary_search(blocks, chunk.block)) continue;
+        const auto begin = static_cast<Index>(some.polygon_cell.size());
+        for (Index i = chunk.polygon_begin; i < chunk.polygon_end; ++i) {
+            for (const Index p : polygon(all, i)) {
+                some.polygon_vertex.push_back(p);
+                kept[p] = 0;
+            }
+            some.polygon_offset.push_back(static_cast<Index>(some.polygon_vertex.size()));
+            some.polygon_cell.push_back(all.polygon_cell[i]);
+        }
+        some.chunks.push_back({chunk.block, begin, static_cast<Index>(some.polygon_cell.size())});
+    }
+    for (std::size_t p = 0; p < kept.size(); ++p) {
+        if (kept[p] == none) continue;
+        kept[p] = static_cast<Index>(some.points.size());
+        some.points.push_back(all.points[p]);
+        some.positions.push_back(all.positions[p]);
+        if (!all.normals.empty()) some.normals.push_back(all.normals[p]);
+    }
+    for (Index& p : some.polygon_vertex) p = kept[p];
+    return some;
+}
+
 Vec3d vector_area(std::span<const Vec3f> positions, std::span<const Index> polygon) {
     Vec3d sum{};
     const auto arm = [&](std::size_t i) {

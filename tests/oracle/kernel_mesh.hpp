@@ -37,6 +37,10 @@ struct KernelMesh {
 enum class Chunks { compare, ignore };
 [[nodiscard]] std::string bit_difference(const Surface& a, const Surface& b, Chunks chunks = Chunks::compare);
 
+// Returns the surface without the polygons of the other blocks, and without the points that no polygon uses any more.
+// `blocks`: ascending.
+[[nodiscard]] Surface only(const Surface& all, const std::vector<Index>& blocks);
+
 [[nodiscard]] Vec3d vector_area(std::span<const Vec3f> positions, std::span<const Index> polygon);
 [[nodiscard]] std::span<const Index> polygon(const Surface& surface, std::size_t index);
 

@@ -1,6 +1,5 @@
 // Surfaces of some of the blocks of a mesh equal the surface of all blocks without the polygons of the others.
 #include "oracle/kernel_mesh.hpp"
-#include "support/copied_records.hpp"
 #include "support/fields.hpp"
 #include "support/kept.hpp"
 #include "support/meshes.hpp"
@@ -11,34 +10,6 @@
 
 namespace ciel::test {
 namespace {
-
-// Returns the surface without the polygons of the other blocks, and without the points that no polygon uses any more.
-Surface only(const Surface& all, const std::vector<Index>& blocks) {
-    Surface some;
-    std::vector<Index> kept(all.points.size(), none);
-    for (const Surface::Chunk& chunk : all.chunks) {
-        if (!std::ranges::binary_search(blocks, chunk.block)) continue;
-        const auto begin = static_cast<Index>(some.polygon_cell.size());
-        for (Index i = chunk.polygon_begin; i < chunk.polygon_end; ++i) {
-            for (const Index p : polygon(all, i)) {
-                some.polygon_vertex.push_back(p);
-                kept[p] = 0;
-            }
-            some.polygon_offset.push_back(static_cast<Index>(some.polygon_vertex.size()));
-            some.polygon_cell.push_back(all.polygon_cell[i]);
-        }
-        some.chunks.push_back({chunk.block, begin, static_cast<Index>(some.polygon_cell.size())});
-    }
-    for (std::size_t p = 0; p < kept.size(); ++p) {
-        if (kept[p] == none) continue;
-        kept[p] = static_cast<Index>(some.points.size());
-        some.points.push_back(all.points[p]);
-        some.positions.push_back(all.positions[p]);
-        if (!all.normals.empty()) some.normals.push_back(all.normals[p]);
-    }
-    for (Index& p : some.polygon_vertex) p = kept[p];
-    return some;
-}
 
 // Returns the mesh edges of all points that polygons of other blocks use, sorted.
 std::vector<std::array<Index, 2>> shared_edges(const Surface& all, const std::vector<Index>& blocks) {
@@ -162,35 +133,6 @@ TEST(SomeBlocksTogether, AreTheWholeSurface) {
     EXPECT_EQ(polygons, all.polygon_cell.size());
     EXPECT_GT(points, all.points.size());           // points between parts are in several
     EXPECT_GT(equal_normals, points - points / 20); // others come from polygons instead of gradients
-}
-
-// To extract one block, the tables, one record of the block and its values are enough, for example in a browser.
-TEST(SomeBlocksTogether, OneBlockNeedsNoOther) {
-    const Polyhedra input = zoo({{6, 6, 6}, 0.1, 407});
-    const KernelMesh mesh(input, {16});
-    const std::vector<float> stored = mesh.stored(bumps_field(input, 408));
-    const Field whole(mesh.topology, stored, kept_by_test);
-    Query query = mesh.query();
-    query.set_field(whole);
-    Surface all;
-    ASSERT_TRUE(query.extract(0.5, false, all));
-    const BlockRanges ranges = block_ranges(mesh.topology, stored);
-    ASSERT_GT(all.chunks.size(), 10U);
-    for (const Surface::Chunk& chunk : all.chunks) {
-        auto records = std::make_unique<CopiedRecords>(mesh.topology);
-        std::erase_if(records->records,
-                      [&](const auto& record) { return record.first != std::pair(chunk.block, RecordKind::cells); });
-        const CopiedRecords* const kept = records.get();
-        const Topology topology = read_back(std::move(records));
-        const Field field(topology, stored, ranges, kept_by_test);
-        Query alone(topology, mesh.mesh());
-        alone.set_field(field);
-        alone.set_blocks(std::array{chunk.block});
-        Surface some;
-        ASSERT_TRUE(alone.extract(0.5, false, some));
-        ASSERT_EQ(bit_difference(only(all, {chunk.block}), some), "") << chunk.block;
-        EXPECT_EQ(kept->reads, 1);
-    }
 }
 
 TEST(SomeBlocksTogether, ABlockThatTheMeshDoesNotHaveIsRefused) {
