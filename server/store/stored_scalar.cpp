@@ -2,6 +2,7 @@
 
 #include "ciel/parallel.hpp"
 #include "ciel/vector_operators.hpp"
+#include "store/cache/stored_array.hpp"
 #include "store/no_value.hpp"
 
 namespace server::store {
@@ -106,10 +107,10 @@ Histogram StoredScalar::histogram(std::size_t bins, std::optional<std::array<dou
 }
 
 Values StoredScalar::all() const {
-    values_.file->load_all();
-    Values copied = one_scalar(array_, values_.values, scalar_);
+    Values of_array = loaded(values_);
+    Values of_scalar = array_.components == 1 ? std::move(of_array) : one_scalar(array_, of_array, scalar_);
     values_.file->file().check_intact();
-    return copied;
+    return of_scalar;
 }
 
 } // namespace server::store

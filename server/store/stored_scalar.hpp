@@ -30,8 +30,9 @@ public:
     void read(std::span<const ciel::Index> vertices, std::span<double> out) const override;
 
     // Return values of the scalar in the array's type. at: the values at the points of a surface, interpolated along
-    // edges. of: the values of `items`; no_value where the item is `none`. all: the values of all items. Throw Error
-    // when the points or items are of another mesh, and when the file was truncated meanwhile.
+    // edges. of: the values of `items`; no_value where the item is `none`. all: the values of all items; not copied if
+    // the array has one component. Throw Error when the points or items are of another mesh, and when the file was
+    // truncated meanwhile.
     [[nodiscard]] Values at(std::span<const ciel::EdgePoint> points) const;
     [[nodiscard]] Values of(std::span<const ciel::Index> items) const;
     [[nodiscard]] Values all() const;

@@ -20,7 +20,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int side = 80;
-constexpr std::size_t cells = std::size_t{side} * side * side;
+constexpr std::size_t cells = std::size_t{side} * side * side, vertices = (side + 1UL) * (side + 1) * (side + 1);
 // A boundary has 7.5 % as many faces as the mesh has cells. Its triangles need 1.8 bytes for each cell of the mesh,
 // more while a vector grows.
 constexpr std::size_t of_surfaces = 2 * cells, of_boundaries = 4 * cells;
@@ -101,7 +101,7 @@ TEST_F(LongAsTheMesh, OnlyTheGradientsOfAVolumeAre) {
     const auto loaded = catalog.open("cubes");
     SceneGeometry geometry{ciel::Algorithm::signatures};
     const json layers{{"a", {{"type", "volume"}, {"array", "p"}, {"slices", 40}}}};
-    const ciel::test::LargeAllocations large(7 * cells);
+    const ciel::test::LargeAllocations large(sizeof(float) * vertices);
     const auto shown = geometry.update({scene::parse({{"dataset", "cubes"}, {"layers", layers}}), loaded});
     EXPECT_EQ(shown->volumes.size(), 1U);
     EXPECT_EQ(ciel::test::LargeAllocations::count(), 1U); // 12 bytes for each vertex
