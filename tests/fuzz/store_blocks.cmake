@@ -1,0 +1,1 @@
+ciel_fuzz(store_blocks LINKS store ciel PACKAGES test_store_box)
