@@ -1,14 +1,16 @@
 #!/usr/bin/python3
 """What the first use of each kind costs on a dataset that is not in the page cache.
 
-usage: first_uses.py CIEL DATASET.ciel [--array smooth] [--uses probe,boundary]
+usage: first_uses.py CIEL DATASET.ciel [--array smooth] [--uses probe,boundary] [--most-block BYTES]
 For each use: takes the dataset's files out of the page cache, starts a server, and calls the method. Prints one JSON
 line: seconds from the request to the answer, bytes read from the disk, the server's memory afterwards (its own, and
-mapped files), and its peak, in MB. Needs a file system that drops pages when it is told to.
+mapped files), and its peak, in MB. With --most-block, larger blocks of memory are refused, and the use fails if it
+cannot do without. Needs a file system that drops pages when it is told to.
 """
 
 import argparse
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -75,7 +77,8 @@ def call(port, method, params):
 def measure(options, wanted):
     forget(options.dataset)
     command = [options.ciel, "serve", options.dataset, "--port", "0", "--token", TOKEN]
-    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    refusing = {"LD_PRELOAD": options.refusing, "CIEL_MOST_BLOCK": options.most_block} if options.most_block else {}
+    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env={**os.environ, **refusing})
     try:
         port = next(found.group(1) for line in server.stdout if (found := re.search(r"http://[^\s/]+:(\d+)", line)))
         method, params = wanted
@@ -95,6 +98,8 @@ def main():
     parser.add_argument("dataset", type=pathlib.Path)
     parser.add_argument("--array", default="smooth")
     parser.add_argument("--uses", help="names of some of them, with commas")
+    parser.add_argument("--most-block", help="refuse larger blocks of memory, in bytes")
+    parser.add_argument("--refusing", default="build/librefused_blocks.so", help="the library that refuses them")
     options = parser.parse_args()
     attributes = json.loads((options.dataset / "meshes/0/.zattrs").read_text(encoding="utf-8"))["ciel"]
     uses = uses_of(options.dataset.stem, options.array, attributes["bounds"])

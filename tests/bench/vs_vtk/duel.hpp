@@ -30,10 +30,14 @@ void set_values(vtkUnstructuredGrid* grid, const bench::Case& data, const store:
 // True when all cells are tetrahedra, hexahedra, wedges or pyramids.
 [[nodiscard]] bool is_linear(const bench::Case& data);
 
+// True when vtkContour3DLinearGrid takes the cells: linear ones, and polyhedra from VTK 9.7 on.
+[[nodiscard]] bool takes_linear_filter(vtkUnstructuredGrid* grid);
+
 // `many`: number of surfaces or slices in a row.
 void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many);
 void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many);
 void gradients(const bench::Case& data, vtkUnstructuredGrid* grid);
+void clips(const bench::Case& data, vtkUnstructuredGrid* grid);
 void memory(const bench::Case& data, vtkUnstructuredGrid* grid);
 
 } // namespace ciel::vs_vtk

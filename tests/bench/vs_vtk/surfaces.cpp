@@ -9,6 +9,7 @@
 #include <vtkPolyData.h>
 #include <vtkSimpleScalarTree.h>
 #include <vtkSpanSpace.h>
+#include <vtkVersion.h>
 
 namespace ciel::vs_vtk {
 using namespace server;
@@ -16,6 +17,10 @@ using namespace server;
 namespace {
 
 enum class Tree { none, simple, span_space };
+
+// From VTK 9.7 on, processing in sequence crashes under TBB before any parallel run, and the span space keeps the
+// triangles of the old field after a change.
+constexpr bool is_before_9_7 = VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 7, 0);
 
 struct Setup {
     bool merge = false, normals = false;
@@ -81,17 +86,18 @@ vtkSmartPointer<Filter> general_filter(vtkUnstructuredGrid* grid, const Setup& s
     return filter;
 }
 
-std::vector<Contender> contenders(const bench::Case& data, vtkUnstructuredGrid* grid, bool normals,
-                                  const std::vector<double>& values, bool trees) {
+// `trees`: whether VTK may use scalar trees.
+std::vector<Contender> contenders(vtkUnstructuredGrid* grid, bool normals, const std::vector<double>& values,
+                                  bool trees) {
     std::vector<Contender> found;
-    if (is_linear(data)) {
+    if (takes_linear_filter(grid)) {
         const auto add = [&](const Setup& setup) {
             found.push_back(series("vtkContour3DLinearGrid", linear_filter(grid, setup), setup, values));
         };
         for (const Tree tree : {Tree::none, Tree::span_space}) {
             if (tree != Tree::none && !trees) continue;
             add({normals, normals, tree, false});
-            add({normals, normals, tree, true});
+            if (is_before_9_7) add({normals, normals, tree, true});
         }
         return found;
     }
@@ -148,7 +154,7 @@ void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own,
                              own.change(ours ? data.changed : data.values);
                              return own.extract({nu}, true);
                          }};
-    std::vector<Contender> vtk = contenders(data, grid, true, {nu}, true);
+    std::vector<Contender> vtk = contenders(grid, true, {nu}, is_before_9_7);
     for (Contender& contender : vtk)
         contender.prepare = [&] {
             theirs = !theirs;
@@ -161,6 +167,10 @@ void changed_field(const bench::Case& data, vtkUnstructuredGrid* grid, Own& own,
 
 } // namespace
 
+bool takes_linear_filter(vtkUnstructuredGrid* grid) {
+    return vtkContour3DLinearGrid::CanFullyProcessDataObject(grid, "values");
+}
+
 void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many) {
     Own own(data);
     const auto [low, high] = own.range();
@@ -169,9 +179,9 @@ void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t ma
     std::vector<SoupSink::Out> soups;
     if (is_linear(data))
         duel(count + ", soup", {"CIEL, soup, one pass", [&] { return own.soups(values, soups); }},
-             contenders(data, grid, false, values, true));
+             contenders(grid, false, values, true));
     duel(count + (is_linear(data) ? "; VTK makes a soup, CIEL shares points" : ""),
-         {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(data, grid, false, values, true));
+         {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(grid, false, values, true));
 
     const double middle = (static_cast<double>(low) + static_cast<double>(high)) / 2;
     // VTK computes normals from polygons; CIEL's default is the field's gradient.
@@ -179,7 +189,7 @@ void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t ma
                                         {Normals::gradient, "CIEL, merged + normals from gradients"}}) {
         own.set_normals(normals);
         duel(count + ", normals", {name, [&] { return own.extract(values, true); }},
-             contenders(data, grid, true, values, true));
+             contenders(grid, true, values, true));
         changed_field(data, grid, own, middle, name);
     }
 }
