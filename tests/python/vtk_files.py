@@ -1,5 +1,7 @@
 """Small meshes written by VTK's writers, in every volume format that they support."""
 
+import itertools
+
 import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
@@ -122,6 +124,41 @@ def mixed():
         ],
         points,
     )
+
+
+def cones(n, first):
+    """Two polyhedra of n + 1 faces: the cones on the two sides of a polygon."""
+    angle = 2 * np.pi * np.arange(n) / n
+    points = [*zip(np.cos(angle) - 3, np.sin(angle), 0 * angle), (-3, 0, -1), (-3, 0, 1)]
+
+    def cone(base, apex):
+        return vtk.VTK_POLYHEDRON, [base, *([b, a, apex] for a, b in zip(base, base[1:] + base[:1]))]
+
+    rim = list(range(first, first + n))
+    return [cone(rim, first + n), cone(rim[::-1], first + n + 1)], points
+
+
+def all_types(n=12):
+    """n^3 cubes, by slabs of x: hexahedra; wedges; pyramids and tetrahedra. Beside them are two cones."""
+    points = [(x, y, z) for z in range(n + 1) for y in range(n + 1) for x in range(n + 1)]
+    cells = []
+    for z, y, x in itertools.product(range(n), repeat=3):
+        cube = [x + i + (n + 1) * (y + j + (n + 1) * (z + k)) for i, j, k in CUBE]
+        if x % 3 == 0:
+            cells.append((vtk.VTK_HEXAHEDRON, cube))
+        elif x % 3 == 1:
+            cells += [(vtk.VTK_WEDGE, [cube[i] for i in corners]) for corners in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))]
+        else:
+            center = len(points)
+            points.append((x + 0.5, y + 0.5, z + 0.5))
+            for of_cube in CUBE_FACES:
+                a, b, c, d = (cube[i] for i in of_cube[::-1])
+                if of_cube == CUBE_FACES[1 - z % 2]:  # triangles, also in the cube on the other side
+                    cells += [(vtk.VTK_TETRA, [a, b, c, center]), (vtk.VTK_TETRA, [a, c, d, center])]
+                else:
+                    cells.append((vtk.VTK_PYRAMID, [a, b, c, d, center]))
+    more, around = cones(300, len(points))
+    return unstructured(cells + more, points + around)
 
 
 def write(writer, path, data, **settings):

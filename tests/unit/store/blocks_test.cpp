@@ -3,6 +3,7 @@
 #include "store/cache/stored_blocks.hpp"
 #include "store/format/checksum.hpp"
 #include "store/format/layout.hpp"
+#include "store/format/value_ranges.hpp"
 #include "store/loaded.hpp"
 #include "store/mesh_arrays.hpp"
 #include "store/write_blocks.hpp"
@@ -50,6 +51,19 @@ TEST(Blocks, HaveTheBytesThatTheReadmeShows) {
     std::string shown;
     for (const char* file : {"index", "cells/0", "around/0", "mates/0"})
         shown += std::string("blocks/") + file + '\n' + test::hex_dump(test::read_file(scratch / "blocks" / file));
+    const std::string readme = test::read_file(fs::path(CIEL_SOURCE_DIR) / "server/store/README.md");
+    EXPECT_THAT(readme, testing::HasSubstr("```\n" + shown + "```")) << "the README must show:\n" << shown;
+}
+
+TEST(Ranges, HaveTheBytesThatTheReadmeShows) {
+    const FaceMesh mesh = one_tetrahedron();
+    const Topology topology(mesh.view());
+    const BlockBoxes boxes = block_boxes(topology, mesh.positions);
+    const auto bytes = std::as_bytes(std::span(mesh.positions));
+    const ValueRanges ranges{{boxes.begin(), boxes.end()}, {}, stretch_checksums(bytes)};
+    const std::vector<std::byte> made = to_bytes(ranges, id, checksum_number(bytes));
+    const std::string shown = "positions/ranges/0\n" +
+                              test::hex_dump({reinterpret_cast<const char*>(made.data()), made.size()});
     const std::string readme = test::read_file(fs::path(CIEL_SOURCE_DIR) / "server/store/README.md");
     EXPECT_THAT(readme, testing::HasSubstr("```\n" + shown + "```")) << "the README must show:\n" << shown;
 }
