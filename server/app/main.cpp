@@ -3,6 +3,7 @@
 #include "store/files/files.hpp"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -38,7 +39,8 @@ int fail(const std::string& sentence, int exit_code) {
 
 } // namespace
 
-int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a bug can throw before parsing
+int main(int argc, char** argv) {  // NOLINT(bugprone-exception-escape): only a bug can throw before parsing
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond a limit of the shell (ulimit -f) is then an error
     CLI::App app{"CIEL: explore huge simulation results on unstructured meshes in a browser.", "ciel"};
     app.set_version_flag("--version", "ciel " CIEL_VERSION);
     app.require_subcommand(1);

@@ -16,6 +16,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -204,6 +205,7 @@ void return_freed_arrays() { ::mallopt(M_MMAP_THRESHOLD, 1 << 20); }
 
 int main(int argc, char** argv) { // NOLINT(bugprone-exception-escape): only a bug in CIEL can throw before parsing
     return_freed_arrays();
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond a limit of the shell (ulimit -f) is then an error
     CLI::App app{"Reads a simulation result and writes a CIEL dataset.", "ciel-import"};
     server::importing::ImportValues values;
     add_options(app, values);

@@ -7,8 +7,9 @@
 namespace server::importing {
 
 // Returns the error sentence. It names the first input, unless the import was cancelled or ciel-import's own sentence
-// is enough. `end`: how ciel-import ended, without success. `values`: the options of ciel-import.
+// is enough. `end`: how ciel-import ended, without success. `values`: the options of ciel-import. `is_written`: whether
+// ciel-import had finished the dataset before it ended.
 [[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const ImportValues& values,
-                                       const ImportLimits& limits);
+                                       const ImportLimits& limits, bool is_written);
 
 } // namespace server::importing

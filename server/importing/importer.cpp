@@ -3,6 +3,8 @@
 #include "ciel/types.hpp"
 #include "importing/import_end.hpp"
 #include "processes/child_process.hpp"
+#include "store/format/attributes.hpp"
+#include "store/format/layout.hpp"
 #include "store/new_dataset_directory.hpp"
 
 #include <cstdlib>
@@ -48,6 +50,18 @@ void pass_line(std::string_view line, const ImportListener& listener) {
     listener.progress(share, *phase == ' ' ? phase + 1 : phase);
 }
 
+// Returns the id of a dataset, or an empty text if there is none.
+std::string id_of(const fs::path& dataset) {
+    const fs::path document = dataset / store::layout::attributes_document;
+    std::error_code error;
+    if (dataset.empty() || !fs::exists(document, error)) return {};
+    try {
+        return store::parse_root_attributes(store::read_text(document, store::layout::document_bytes), document).id;
+    } catch (const ciel::Error&) { // not a dataset
+        return {};
+    }
+}
+
 } // namespace
 
 fs::path find_import_program() {
@@ -81,17 +95,19 @@ ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, con
     if (cancel) { // cancelled before the import starts
         processes::ChildEnd end;
         end.cancelled = true;
-        return {1, describe_end(end, values, limits)};
+        return {1, describe_end(end, values, limits, false)};
     }
+    const auto output = values.find("output");
+    const fs::path dataset = output != values.end() && !output->second.empty() ? output->second.back() : "";
+    const std::string id_before = id_of(dataset);
     const auto memory = static_cast<std::uint64_t>(limits.memory_gigabytes * gigabyte);
     const processes::ChildEnd end = processes::run_child(
         command_line(values), {memory, limits.seconds, limits.stalled_seconds},
         [&](std::string_view line) { pass_line(line, listener); }, cancel);
     if (end.exit_code == 0) return {};
-    if (const auto output = values.find("output"); output != values.end() && !output->second.empty())
-        store::remove_left_behind(output->second.back());
-    const bool known = end.exit_code >= 1 && end.exit_code <= 3;
-    return {known ? end.exit_code : 1, describe_end(end, values, limits)};
+    if (!dataset.empty()) store::remove_left_behind(dataset);
+    const bool known = end.exit_code >= 1 && end.exit_code <= 3, is_written = id_of(dataset) != id_before;
+    return {known ? end.exit_code : 1, describe_end(end, values, limits, is_written)};
 }
 
 } // namespace server::importing

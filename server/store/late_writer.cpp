@@ -88,7 +88,6 @@ void LateWriter::put(std::size_t step, const ArrayValues& array) {
 void LateWriter::write(const Step& step, const ArrayInfo& array, std::uint64_t chunk, ciel::ValuesView values) {
     const fs::path directory = array_directory(step.mesh, array.name);
     make_directory(directory);
-    remove_left_beside(directory); // temporary files of a killed process
     const auto bytes = values.bytes();
     const ciel::Topology& of_mesh = topology(step.mesh);
     ArrayStep facts = statistics(values, array);
@@ -114,6 +113,7 @@ void LateWriter::end_step(std::size_t step) {
 }
 
 void LateWriter::tell_readers() const {
+    remove_left_beside(directory_); // temporary files of a killed process
     std::random_device device;
     replace_file(directory_ / layout::late_changes, bytes_of(std::to_string(device()) + std::to_string(device())));
 }

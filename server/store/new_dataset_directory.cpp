@@ -35,8 +35,11 @@ NewDatasetDirectory::NewDatasetDirectory(const fs::path& target, bool overwrite)
     check_target();
     remove_left_behind(target_);
     make_temporary();
-    if (!lock_directory(temporary_, lock_))
-        refuse(temporary_, "is in use by another process; wait until the process ends");
+    if (lock_directory(temporary_, lock_)) return;
+    std::error_code error;
+    fs::remove(temporary_, error);
+    refuse(temporary_, "cannot be locked: its file system has no locks, or another process uses it; write to another "
+                       "file system, or wait until the process ends");
 }
 
 void check_new_dataset_directory(const fs::path& target, bool overwrite) {

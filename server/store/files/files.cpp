@@ -190,15 +190,29 @@ void NewFile::append(std::span<const std::byte> bytes) {
     sent_ = size_;
 }
 
+namespace {
+
+// Creates a file that remove_left_beside does not remove while it is open. A process id could not tell that its writer
+// runs: each container has its own ids.
+Descriptor create_locked(const std::filesystem::path& file) {
+    while (true) {
+        Descriptor out = create(file);
+        (void)::flock(out.get(), LOCK_EX); // fails on file systems without locks
+        struct stat status {};
+        if (::fstat(out.get(), &status) != 0 || status.st_nlink > 0) return out;
+        // remove_left_beside has removed the file before it was locked.
+    }
+}
+
+} // namespace
+
 void replace_file(const std::filesystem::path& file, std::span<const std::byte> bytes) {
     std::error_code error;
     if (const auto folder = file.parent_path(); !std::filesystem::is_directory(folder, error))
         refuse(file, "cannot be written: there is no folder " + folder.string() + "; make the folder first");
     const std::filesystem::path beside = file.string() + std::string(beside_mark) + std::to_string(::getpid());
     try {
-        const Descriptor out = create(beside);
-        // Tells remove_left_beside that the writer still runs. A process id cannot: each container has its own ids.
-        (void)::flock(out.get(), LOCK_EX | LOCK_NB);
+        const Descriptor out = create_locked(beside);
         write_all(out, beside, bytes);
         if (::fsync(out.get()) != 0) refuse_errno(beside, "cannot be flushed to the disk");
         if (::rename(beside.c_str(), file.c_str()) != 0) refuse_errno(file, "cannot be replaced");
@@ -216,7 +230,13 @@ void remove_left_beside(const std::filesystem::path& directory) {
         const std::filesystem::path& file = entry->path();
         if (!is_beside(file.filename().string())) continue;
         const Descriptor left(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
-        if (left.get() >= 0 && ::flock(left.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(file.c_str());
+        if (left.get() < 0 || ::flock(left.get(), LOCK_EX | LOCK_NB) != 0) continue;
+        // Its writer may have renamed the file before it was locked, and another writer may use the name again.
+        struct stat locked {
+        }, named{};
+        if (::fstat(left.get(), &locked) == 0 && ::lstat(file.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
+            locked.st_dev == named.st_dev)
+            ::unlink(file.c_str());
     }
 }
 

@@ -2,10 +2,14 @@
 #include "support/store_box/box.hpp"
 #include "unit/store/counted_stat.hpp"
 
+#include "store/files/files.hpp"
+
+#include <atomic>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace server::store {
@@ -130,6 +134,19 @@ TEST(AppendFiles, WhoDoesNotGetTheLockRemovesNothing) {
     test::overwrite_file(left, "half");
     EXPECT_THROW((void)Writer::append(directory), Error);
     EXPECT_TRUE(fs::exists(left));
+}
+
+// A remover may find the file of a writer before the writer has locked it.
+TEST(ReplaceFile, KeepsItsFileFromARemover) {
+    const test::Folder folder;
+    std::atomic<bool> ends = false;
+    std::thread remover([&] {
+        while (!ends) remove_left_beside(folder.path());
+    });
+    for (int i = 0; i < 300; ++i) EXPECT_NO_THROW(replace_file(folder / "file", bytes_of(std::to_string(i)))) << i;
+    ends = true;
+    remover.join();
+    EXPECT_EQ(test::read_file(folder / "file"), "299");
 }
 
 } // namespace
