@@ -1,6 +1,7 @@
 #include "vs_vtk/duel.hpp"
 
 #include "ciel/clip_surface.hpp"
+#include "ciel/vector_operators.hpp"
 
 #include <vtkNew.h>
 #include <vtkPlane.h>
