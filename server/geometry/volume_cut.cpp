@@ -86,9 +86,10 @@ void VolumeCut::use_property(const std::string& name, std::size_t step, store::L
     gradients = field.gradients(stored);
     const auto [low, high] = field.field->range();
     value_origin = stored.has_doubles() && low <= high ? low / 2 + high / 2 : 0;
-    values = stored.has_doubles() ? store::Values(ciel::floats_from(value_origin, stored)) : stored;
+    has_own_values = stored.has_doubles();
+    values = has_own_values ? store::Values(ciel::floats_from(value_origin, stored)) : stored;
     const ciel::Topology& topology = *field.topology;
-    filled = filled_cells({topology, values, values.keep_alive()});
+    filled = filled_cells(*field.field);
     if (const auto sound = loaded.sound_cells(name, step))
         for (std::size_t cell = 0; cell < filled.size(); ++cell)
             if (sound->kept[cell] == 0) filled[cell] = 0;
@@ -126,7 +127,7 @@ bool VolumeCut::cut(const std::string& place, const store::ScalarField& planes, 
 }
 
 std::size_t VolumeCut::memory_bytes() const {
-    return values.size_bytes() + gradients.size() * sizeof(ciel::Vec3f) + filled.size() +
+    return (has_own_values ? values.size_bytes() : 0) + gradients.size() * sizeof(ciel::Vec3f) + filled.size() +
            (boundary ? boundary->memory_bytes() : 0) + (slabs ? slabs->memory_bytes() : 0);
 }
 

@@ -41,8 +41,9 @@ struct Slabs {
 [[nodiscard]] std::size_t moving_stride(std::size_t slices, std::size_t vertices, double loss);
 
 struct VolumeCut {
-    std::string key;      // identifies the property: step and array
-    store::Values values; // floats, relative to value_origin
+    std::string key;             // identifies the property: step and array
+    store::Values values;        // floats, relative to value_origin
+    bool has_own_values = false; // false if `values` are those of the dataset
     double value_origin = 0;
     std::vector<ciel::Vec3f> gradients;
     std::vector<std::uint8_t> filled; // by cell (SlabProperty)

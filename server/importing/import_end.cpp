@@ -82,13 +82,10 @@ std::string describe_signal(int signal, const std::string& input, const ImportLi
 
 } // namespace
 
-std::string describe_end(const processes::ChildEnd& end, const ImportValues& values, const ImportLimits& limits,
-                         bool is_written) {
+std::string describe_end(const processes::ChildEnd& end, const ImportValues& values, const ImportLimits& limits) {
     const auto is_given = [&](const char* option) { return values.contains(option) && !values.at(option).empty(); };
     const bool reads_late_steps = is_given("all") || is_given("step");
-    const std::string outcome = is_written         ? "; the dataset was complete by then and can be used"
-                                : reads_late_steps ? "; steps that were read before are kept"
-                                                   : "; nothing was written";
+    const std::string outcome = reads_late_steps ? "; steps that were read before are kept" : "; nothing was written";
     const std::string input = (reads_late_steps ? "the source of " : "") + values.at("inputs").at(0);
     if (end.cancelled) return "the import was cancelled" + outcome;
     if (end.timed_out)

@@ -7,9 +7,8 @@
 namespace server::importing {
 
 // Returns the error sentence. It names the first input, unless the import was cancelled or ciel-import's own sentence
-// is enough. `end`: how ciel-import ended, without success. `values`: the options of ciel-import. `is_written`: whether
-// ciel-import had finished the dataset before it ended.
+// is enough. `end`: how ciel-import ended, without success. `values`: the options of ciel-import.
 [[nodiscard]] std::string describe_end(const processes::ChildEnd& end, const ImportValues& values,
-                                       const ImportLimits& limits, bool is_written);
+                                       const ImportLimits& limits);
 
 } // namespace server::importing

@@ -66,7 +66,7 @@ std::string import_one(const fs::path& input, const fs::path& target, const Impo
     const auto imported = last_change(input); // read before the import, because the import may miss later changes
     const ImportValues values{{"inputs", {input.string()}}, {"output", {target.string()}}, {"force", {"yes"}}};
     const ImportEnd end = run_import(values, limits, listener, cancel);
-    if (end.exit_code == 1 || end.exit_code == 2) {
+    if (!end.is_written && (end.exit_code == 1 || end.exit_code == 2)) {
         std::error_code error;
         fs::remove(target.parent_path(), error); // removes the folder only if it is empty
         if (cancel) throw ciel::Error(end.problem);

@@ -95,7 +95,7 @@ ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, con
     if (cancel) { // cancelled before the import starts
         processes::ChildEnd end;
         end.cancelled = true;
-        return {1, describe_end(end, values, limits, false)};
+        return {1, describe_end(end, values, limits)};
     }
     const auto output = values.find("output");
     const fs::path dataset = output != values.end() && !output->second.empty() ? output->second.back() : "";
@@ -106,8 +106,12 @@ ImportEnd run_import(const ImportValues& values, const ImportLimits& limits, con
         [&](std::string_view line) { pass_line(line, listener); }, cancel);
     if (end.exit_code == 0) return {};
     if (!dataset.empty()) store::remove_left_behind(dataset);
-    const bool known = end.exit_code >= 1 && end.exit_code <= 3, is_written = id_of(dataset) != id_before;
-    return {known ? end.exit_code : 1, describe_end(end, values, limits, is_written)};
+    const bool known = end.exit_code >= 1 && end.exit_code <= 3;
+    const std::string id = id_of(dataset);
+    if (!known && !id.empty() && id != id_before)
+        return {1, values.at("inputs").at(0) + ": the import was ended after the dataset was complete; it can be used",
+                true};
+    return {known ? end.exit_code : 1, describe_end(end, values, limits)};
 }
 
 } // namespace server::importing

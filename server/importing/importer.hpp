@@ -34,6 +34,8 @@ struct ImportListener {
 struct ImportEnd {
     int exit_code = 0;   // 0 done, 1 failed, 2 wrong usage, 3 done with data left out
     std::string problem; // a sentence; empty for exit code 0
+    // True if the dataset is complete although ciel-import was ended, for example while it removed an old dataset.
+    bool is_written = false;
 };
 
 // `values`: options by ImportOption::name. After a failure, removes unfinished files at values["output"]. Throws Error

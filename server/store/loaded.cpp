@@ -278,8 +278,8 @@ Values LoadedDataset::scalar_values(const std::string& name, std::size_t step) {
     const auto of = state_->current();
     const auto stored = stored_scalar(name, step);
     const auto made = state_->fields.get<Values>(step_key("values", name, step), [&]() -> Cache::Made {
-        const auto copied = std::make_shared<Values>(stored->all());
-        return {copied, copied->size_bytes()};
+        const auto all = std::make_shared<Values>(stored->all());
+        return {all, stored->copies_all() ? all->size_bytes() : 0};
     });
     of->check_intact();
     return {*made, made}; // the result keeps the cached values in use

@@ -54,7 +54,7 @@ public:
     // The values are read when they are needed. Throws like scalar(), and Error when the scalar is not on `items`.
     [[nodiscard]] std::shared_ptr<const StoredScalar> stored_scalar(const std::string& name, std::size_t step,
                                                                     Association items = Association::point);
-    // The values are cached. Throws like scalar().
+    // The values are cached, or those of the mapped file (StoredScalar::all). Throws like scalar().
     [[nodiscard]] Values scalar_values(const std::string& name, std::size_t step);
     // Returns the histogram of any scalar. `range`: the range of the bins; nullopt: the range of the finite values.
     // Throws like scalar(). If no range is given and `bins` is a power of two of at most stored_bins, reads one small

@@ -30,12 +30,13 @@ public:
     void read(std::span<const ciel::Index> vertices, std::span<double> out) const override;
 
     // Return values of the scalar in the array's type. at: the values at the points of a surface, interpolated along
-    // edges. of: the values of `items`; no_value where the item is `none`. all: the values of all items; not copied if
-    // the array has one component. Throw Error when the points or items are of another mesh, and when the file was
-    // truncated meanwhile.
+    // edges. of: the values of `items`; no_value where the item is `none`. all: the values of all items. If the array
+    // has one component, `all` copies nothing: call Dataset::check_intact after the use of its result. Throw Error when
+    // the points or items are of another mesh, and when the file was truncated meanwhile.
     [[nodiscard]] Values at(std::span<const ciel::EdgePoint> points) const;
     [[nodiscard]] Values of(std::span<const ciel::Index> items) const;
     [[nodiscard]] Values all() const;
+    [[nodiscard]] bool copies_all() const { return array_.components > 1; } // whether `all` copies the values
     // Only one piece of the values is in memory at a time. Throws Error when the file was truncated meanwhile.
     void for_pieces(const std::function<void(ciel::ValuesView)>& f) const;
     // `range`: the range of the bins. nullopt: the range of the finite values; all values are then read twice.

@@ -14,6 +14,7 @@ import os
 import pathlib
 import re
 import subprocess
+import tempfile
 import time
 import urllib.request
 
@@ -74,11 +75,17 @@ def call(port, method, params):
     return answer["result"]
 
 
+def refused_in(log):
+    log.seek(0)
+    return log.read().count("refused a block")
+
+
 def measure(options, wanted):
     forget(options.dataset)
     command = [options.ciel, "serve", options.dataset, "--port", "0", "--token", TOKEN]
-    refusing = {"LD_PRELOAD": options.refusing, "CIEL_MOST_BLOCK": options.most_block} if options.most_block else {}
-    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env={**os.environ, **refusing})
+    refusing = {"LD_PRELOAD": str(options.refusing.resolve(strict=True)), "CIEL_MOST_BLOCK": options.most_block} if options.most_block else {}
+    log = tempfile.TemporaryFile("w+")
+    server = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=log, text=True, env={**os.environ, **refusing})
     try:
         port = next(found.group(1) for line in server.stdout if (found := re.search(r"http://[^\s/]+:(\d+)", line)))
         method, params = wanted
@@ -86,7 +93,7 @@ def measure(options, wanted):
         call(port, method, params)
         seconds = time.monotonic() - begin
         return {"seconds": round(seconds, 2), "read": round((bytes_read(server) - read) / 1e6, 1),
-                "own": round(status(server, "RssAnon")), "mapped": round(status(server, "RssFile")), "peak": round(status(server, "VmHWM"))}
+                **({"refused": refused_in(log)} if refusing else {}), "own": round(status(server, "RssAnon")), "mapped": round(status(server, "RssFile")), "peak": round(status(server, "VmHWM"))}
     finally:
         server.terminate()
         server.wait()
@@ -99,7 +106,7 @@ def main():
     parser.add_argument("--array", default="smooth")
     parser.add_argument("--uses", help="names of some of them, with commas")
     parser.add_argument("--most-block", help="refuse larger blocks of memory, in bytes")
-    parser.add_argument("--refusing", default="build/librefused_blocks.so", help="the library that refuses them")
+    parser.add_argument("--refusing", default="build/librefused_blocks.so", type=pathlib.Path, help="the library that refuses them")
     options = parser.parse_args()
     attributes = json.loads((options.dataset / "meshes/0/.zattrs").read_text(encoding="utf-8"))["ciel"]
     uses = uses_of(options.dataset.stem, options.array, attributes["bounds"])

@@ -45,6 +45,7 @@ extern "C" void* aligned_alloc(std::size_t alignment, std::size_t bytes) {
     return is_refused(bytes) ? nullptr : __libc_memalign(alignment, bytes);
 }
 extern "C" int posix_memalign(void** block, std::size_t alignment, std::size_t bytes) {
-    *block = aligned_alloc(alignment, bytes);
-    return *block != nullptr ? 0 : ENOMEM;
+    void* const made = aligned_alloc(alignment, bytes);
+    if (made != nullptr) *block = made;
+    return made != nullptr ? 0 : ENOMEM;
 }

@@ -324,6 +324,23 @@ TEST(lost_files, lose_only_the_memory_pages_that_cannot_be_read) {
               "");
 }
 
+// Each memory page is a mapping of its own, and the system allows a process a limited number of them.
+TEST(lost_files, are_lost_whole_after_many_memory_pages) {
+    const Folder folder;
+    EXPECT_EQ(in_child([&]() -> std::string {
+                  const auto page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+                  const std::string content(200 * page, 'x');
+                  replace(folder / "file", content);
+                  const store::MappedFile file(folder / "file", content.size());
+                  damage(folder / "file", Damage::truncated, 1);
+                  for (std::size_t number = 0; number < 200; number += 2)
+                      if (static_cast<char>(file.bytes()[number * page]) != 0) return "a page is still there";
+                  rewrite(folder / "file", content);
+                  return static_cast<char>(file.bytes()[page]) == 0 ? "" : "the system keeps 200 mappings";
+              }),
+              "");
+}
+
 // The watch has not noticed the change yet, and the kernel's error names no file.
 TEST(changed_records, are_named_by_their_file) {
     const Folder folder;

@@ -57,6 +57,7 @@ void use(const fs::path& directory) {
             Surface surface;
             for (const double nu : {3.5, 0.0, 13.0}) query.extract(nu, true, surface);
         }
+    for (const char* scalar : {"p", "U:magnitude"}) (void)loaded.histogram(scalar, 0, 64);
 }
 
 } // namespace

@@ -7,6 +7,8 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <span>
+#include <utility>
 
 namespace ciel::test {
 namespace {

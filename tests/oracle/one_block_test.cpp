@@ -8,8 +8,11 @@
 #include "support/folder.hpp"
 #include "support/meshes.hpp"
 
+#include <algorithm>
+#include <array>
 #include <gtest/gtest.h>
 #include <set>
+#include <span>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>

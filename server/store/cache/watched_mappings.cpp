@@ -1,5 +1,6 @@
 #include "store/cache/watched_mappings.hpp"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <mutex>
@@ -13,6 +14,7 @@ struct WatchedMapping {
     std::atomic<std::uintptr_t> begin{0};
     std::atomic<std::size_t> bytes{0};
     std::atomic<Loss> loss{Loss::none};
+    std::atomic<std::size_t> lost_pages{0}; // memory pages that were replaced by zeros
     std::atomic<std::atomic<std::uint32_t>*> losses{nullptr};
     WatchedMapping* next = nullptr;
 };
@@ -23,6 +25,9 @@ std::atomic<WatchedMapping*> first{nullptr};
 std::atomic<std::size_t> lost_count{0};
 std::mutex changing;
 struct sigaction previous {};
+// Lost memory pages apart from each other are mappings of their own, of which a process may have 65,530. After this
+// number, the whole file is replaced by zeros.
+constexpr std::size_t most_lost_pages = 64;
 const auto memory_page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
 
 static_assert(std::atomic<std::uintptr_t>::is_always_lock_free && std::atomic<std::uint32_t>::is_always_lock_free &&
@@ -46,17 +51,18 @@ bool replace_by_zeros(std::uintptr_t address) {
     for (WatchedMapping* each = first.load(); each != nullptr; each = each->next) {
         if (!holds(*each, address)) continue;
         note_loss(*each, Loss::shrunk);
-        // Memory pages apart from each other are mappings of their own, and the system may allow no more of them.
-        return map_zeros(address - address % memory_page, memory_page) ||
-               map_zeros(each->begin.load(), each->bytes.load());
+        if (++each->lost_pages <= most_lost_pages && map_zeros(address - address % memory_page, memory_page))
+            return true;
+        return map_zeros(each->begin.load(), each->bytes.load());
     }
     return false;
 }
 
 void on_bus_error(int number, siginfo_t* info, void*) {
-    if (replace_by_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr))) return;
+    const int of_program = errno;
     // The previous handler gets the signal when the access is repeated.
-    ::sigaction(number, &previous, nullptr);
+    if (!replace_by_zeros(reinterpret_cast<std::uintptr_t>(info->si_addr))) ::sigaction(number, &previous, nullptr);
+    errno = of_program;
 }
 
 void install_handler() {
@@ -84,6 +90,7 @@ WatchedMapping* watch_mapping(void* data, std::size_t bytes, std::atomic<std::ui
     const std::lock_guard lock(changing);
     WatchedMapping* node = free_node();
     node->loss = Loss::none;
+    node->lost_pages = 0;
     node->losses = &losses;
     node->bytes = bytes;
     node->begin = reinterpret_cast<std::uintptr_t>(data);

@@ -1,6 +1,7 @@
 // Keeps the process alive when a mapped file shrinks and an access behind the new end of the file raises SIGBUS. The
-// signal handler maps zeroed memory over the memory page of this access. It marks the mapping as lost, so that results
-// from it are discarded. A mapping is also marked as lost when a reader detects that its content has changed.
+// signal handler maps zeroed memory over the memory page of this access; after many such accesses, over the whole file.
+// It marks the mapping as lost, so that results from it are discarded. A mapping is also marked as lost when a reader
+// detects that its content has changed.
 #pragma once
 
 #include <atomic>

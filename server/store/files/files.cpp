@@ -192,15 +192,26 @@ void NewFile::append(std::span<const std::byte> bytes) {
 
 namespace {
 
+// Returns whether the path leads to the open file.
+bool is_named(const Descriptor& open, const std::filesystem::path& path) {
+    struct stat of_file {
+    }, of_path{};
+    return ::fstat(open.get(), &of_file) == 0 && ::lstat(path.c_str(), &of_path) == 0 &&
+           of_file.st_ino == of_path.st_ino && of_file.st_dev == of_path.st_dev;
+}
+
 // Creates a file that remove_left_beside does not remove while it is open. A process id could not tell that its writer
 // runs: each container has its own ids.
 Descriptor create_locked(const std::filesystem::path& file) {
     while (true) {
-        Descriptor out = create(file);
-        (void)::flock(out.get(), LOCK_EX); // fails on file systems without locks
-        struct stat status {};
-        if (::fstat(out.get(), &status) != 0 || status.st_nlink > 0) return out;
-        // remove_left_beside has removed the file before it was locked.
+        Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644));
+        if (out.get() < 0) refuse_errno(file, "cannot be created");
+        while (::flock(out.get(), LOCK_EX) != 0 && errno == EINTR) {
+        } // other errors: a file system without locks
+        // Before the lock, remove_left_beside may have removed the file, or another writer of this name renamed it.
+        if (!is_named(out, file)) continue;
+        if (::ftruncate(out.get(), 0) != 0) refuse_errno(file, "cannot be written");
+        return out;
     }
 }
 
@@ -232,11 +243,7 @@ void remove_left_beside(const std::filesystem::path& directory) {
         const Descriptor left(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW));
         if (left.get() < 0 || ::flock(left.get(), LOCK_EX | LOCK_NB) != 0) continue;
         // Its writer may have renamed the file before it was locked, and another writer may use the name again.
-        struct stat locked {
-        }, named{};
-        if (::fstat(left.get(), &locked) == 0 && ::lstat(file.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
-            locked.st_dev == named.st_dev)
-            ::unlink(file.c_str());
+        if (is_named(left, file)) ::unlink(file.c_str());
     }
 }
 

@@ -67,7 +67,7 @@ void slices(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t many
         SweepBuffers<SliceSink> parts;
         std::vector<Contender> vtk{cutter<vtkPlaneCutter>("vtkPlaneCutter", grid, planes),
                                    cutter<vtkCutter>("vtkCutter", grid, planes)};
-        if (is_linear(data))
+        if (vtk3DLinearGridPlaneCutter::CanFullyProcessDataObject(grid))
             vtk.push_back(cutter<vtk3DLinearGridPlaneCutter>("vtk3DLinearGridPlaneCutter", grid, planes));
         duel(std::to_string(planes.at.size()) + " slices, " + name + ", from nothing",
              {"CIEL, property interpolated",

@@ -86,23 +86,22 @@ vtkSmartPointer<Filter> general_filter(vtkUnstructuredGrid* grid, const Setup& s
     return filter;
 }
 
-// `trees`: whether VTK may use scalar trees.
+// `span_space`: whether vtkContour3DLinearGrid may use its span space.
 std::vector<Contender> contenders(vtkUnstructuredGrid* grid, bool normals, const std::vector<double>& values,
-                                  bool trees) {
+                                  bool span_space) {
     std::vector<Contender> found;
     if (takes_linear_filter(grid)) {
         const auto add = [&](const Setup& setup) {
             found.push_back(series("vtkContour3DLinearGrid", linear_filter(grid, setup), setup, values));
         };
         for (const Tree tree : {Tree::none, Tree::span_space}) {
-            if (tree != Tree::none && !trees) continue;
+            if (tree != Tree::none && !span_space) continue;
             add({normals, normals, tree, false});
             if (is_before_9_7) add({normals, normals, tree, true});
         }
         return found;
     }
     for (const Tree tree : {Tree::none, Tree::simple}) {
-        if (tree != Tree::none && !trees) continue;
         const Setup setup{true, normals, tree, false};
         found.push_back(series("vtkContourGrid", general_filter<vtkContourGrid>(grid, setup), setup, values));
         found.push_back(series("vtkContourFilter", general_filter<vtkContourFilter>(grid, setup), setup, values));
@@ -180,7 +179,7 @@ void surfaces(const bench::Case& data, vtkUnstructuredGrid* grid, std::size_t ma
     if (is_linear(data))
         duel(count + ", soup", {"CIEL, soup, one pass", [&] { return own.soups(values, soups); }},
              contenders(grid, false, values, true));
-    duel(count + (is_linear(data) ? "; VTK makes a soup, CIEL shares points" : ""),
+    duel(count + (takes_linear_filter(grid) ? "; VTK makes a soup, CIEL shares points" : ""),
          {"CIEL, merged", [&] { return own.extract(values, false); }}, contenders(grid, false, values, true));
 
     const double middle = (static_cast<double>(low) + static_cast<double>(high)) / 2;

@@ -18,21 +18,13 @@ processes::ChildEnd crashed(int signal = SIGSEGV) {
 }
 
 TEST(ImportEnd, OfAWholeImportLeavesNothing) {
-    const std::string sentence = describe_end(crashed(), {{"inputs", {"box.vtu"}}, {"step", {}}}, {}, false);
+    const std::string sentence = describe_end(crashed(), {{"inputs", {"box.vtu"}}, {"step", {}}}, {});
     EXPECT_THAT(sentence, StartsWith("box.vtu: the reader crashed"));
     EXPECT_THAT(sentence, EndsWith("; nothing was written"));
 }
 
-TEST(ImportEnd, SaysThatTheDatasetIsThereIfItWasComplete) {
-    processes::ChildEnd late;
-    late.timed_out = true;
-    for (const processes::ChildEnd& end : {crashed(SIGKILL), late})
-        EXPECT_THAT(describe_end(end, {{"inputs", {"box.vtu"}}}, {}, true),
-                    EndsWith("; the dataset was complete by then and can be used"));
-}
-
 TEST(ImportEnd, AFailedDiskIsNoDamagedFile) {
-    const std::string sentence = describe_end(crashed(SIGBUS), {{"inputs", {"box.vtu"}}}, {}, false);
+    const std::string sentence = describe_end(crashed(SIGBUS), {{"inputs", {"box.vtu"}}}, {});
     EXPECT_THAT(sentence, HasSubstr("a disk failed"));
     EXPECT_THAT(sentence, Not(HasSubstr("damaged")));
     EXPECT_THAT(sentence, EndsWith("; nothing was written"));
@@ -40,7 +32,7 @@ TEST(ImportEnd, AFailedDiskIsNoDamagedFile) {
 
 TEST(ImportEnd, OfLateStepsKeepsThoseThatWereRead) {
     for (const char* option : {"step", "all"}) {
-        const std::string sentence = describe_end(crashed(), {{"inputs", {"box.ciel"}}, {option, {"3"}}}, {}, false);
+        const std::string sentence = describe_end(crashed(), {{"inputs", {"box.ciel"}}, {option, {"3"}}}, {});
         EXPECT_THAT(sentence, StartsWith("the source of box.ciel: the reader crashed")) << option;
         EXPECT_THAT(sentence, EndsWith("; steps that were read before are kept")) << option;
     }
@@ -53,8 +45,7 @@ TEST(ImportEnd, KnowsTheSentencesOfTheDynamicLoaderForTooLittleMemory) {
         processes::ChildEnd end;
         end.exit_code = 127;
         end.errors = std::string("/usr/bin/ciel-import: error while loading shared libraries: ") + reason;
-        EXPECT_THAT(describe_end(end, {{"inputs", {"box.vtu"}}}, {}, false), HasSubstr("the memory limit of"))
-            << reason;
+        EXPECT_THAT(describe_end(end, {{"inputs", {"box.vtu"}}}, {}), HasSubstr("the memory limit of")) << reason;
     }
 }
 
@@ -63,22 +54,22 @@ TEST(ImportEnd, NamesTheOptionThatCanBeGiven) {
     out_of_memory.exit_code = import_out_of_memory;
     stalled.stalled = true;
     const ImportValues values{{"inputs", {"box.vtu"}}};
-    EXPECT_THAT(describe_end(out_of_memory, values, {}, false), HasSubstr("raise the limit with --memory-limit"));
-    EXPECT_THAT(describe_end(stalled, values, {}, false), HasSubstr("no progress for 1800 s and was stopped"));
-    EXPECT_THAT(describe_end(stalled, values, {}, false), HasSubstr("a longer --stall-limit"));
+    EXPECT_THAT(describe_end(out_of_memory, values, {}), HasSubstr("raise the limit with --memory-limit"));
+    EXPECT_THAT(describe_end(stalled, values, {}), HasSubstr("no progress for 1800 s and was stopped"));
+    EXPECT_THAT(describe_end(stalled, values, {}), HasSubstr("a longer --stall-limit"));
 
     ImportLimits of_user;
     of_user.stalled_seconds = 999.7;
-    EXPECT_THAT(describe_end(stalled, values, of_user, false), HasSubstr("no progress for 1000 s and was stopped"));
+    EXPECT_THAT(describe_end(stalled, values, of_user), HasSubstr("no progress for 1000 s and was stopped"));
 
     limits::Limits of_server;
     of_server.import_memory_bytes = 3'000'000'000;
     of_server.import_stalled_seconds = 7;
     const ImportLimits limits = import_limits_of_server(of_server);
-    EXPECT_THAT(describe_end(out_of_memory, values, limits, false),
+    EXPECT_THAT(describe_end(out_of_memory, values, limits),
                 HasSubstr("limit of 3 GB was reached; raise the limit with --limit-import-memory-bytes"));
-    EXPECT_THAT(describe_end(stalled, values, limits, false), HasSubstr("no progress for 7 s and was stopped"));
-    EXPECT_THAT(describe_end(stalled, values, limits, false), HasSubstr("a longer --limit-import-stalled-seconds"));
+    EXPECT_THAT(describe_end(stalled, values, limits), HasSubstr("no progress for 7 s and was stopped"));
+    EXPECT_THAT(describe_end(stalled, values, limits), HasSubstr("a longer --limit-import-stalled-seconds"));
 }
 
 } // namespace

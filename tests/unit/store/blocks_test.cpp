@@ -62,8 +62,8 @@ TEST(Ranges, HaveTheBytesThatTheReadmeShows) {
     const auto bytes = std::as_bytes(std::span(mesh.positions));
     const ValueRanges ranges{{boxes.begin(), boxes.end()}, {}, stretch_checksums(bytes)};
     const std::vector<std::byte> made = to_bytes(ranges, id, checksum_number(bytes));
-    const std::string shown = "positions/ranges/0\n" +
-                              test::hex_dump({reinterpret_cast<const char*>(made.data()), made.size()});
+    const std::string shown =
+        "positions/ranges/0\n" + test::hex_dump({reinterpret_cast<const char*>(made.data()), made.size()});
     const std::string readme = test::read_file(fs::path(CIEL_SOURCE_DIR) / "server/store/README.md");
     EXPECT_THAT(readme, testing::HasSubstr("```\n" + shown + "```")) << "the README must show:\n" << shown;
 }

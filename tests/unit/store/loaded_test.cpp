@@ -306,10 +306,17 @@ TEST_F(CatalogTest, AFolderIsScannedAgainAndDuplicatesAreNumbered) {
     EXPECT_THAT(names(catalog), ElementsAre("box-2", "new")) << "names stay with their directories";
 }
 
+TEST_F(LoadedTest, ValuesOfOneComponentAreThoseOfTheFile) {
+    LoadedDataset loaded(Dataset::open(directory), 1 << 20);
+    const std::size_t before = loaded.memory_bytes();
+    EXPECT_EQ(loaded.scalar_values("p", 0).data(), loaded.dataset()->values("p", 0).data());
+    EXPECT_EQ(loaded.memory_bytes(), before);
+}
+
 TEST_F(LoadedTest, UnusedFieldsAreDroppedAndUsedOnesStay) {
     LoadedDataset loaded(Dataset::open(directory), 1 << 20);
-    const Values held = loaded.scalar_values("p", 0);
-    (void)loaded.scalar_values("p", 2);
+    const Values held = loaded.scalar_values("U:y", 0);
+    (void)loaded.scalar_values("U:z", 0);
     const Values last = loaded.scalar_values("U:x", 0);
     const std::size_t before = loaded.memory_bytes();
     loaded.drop_unused_fields();

@@ -34,7 +34,8 @@ public:
     // one tetrahedron: the two ends of the edge, the centroid of the face and the center of the cell. The weights are
     // linear in each tetrahedron, so that they are exact for linear fields. A vertex may be listed more than once. In a
     // cell with bent faces, weights may be below 0. At the position of a vertex, and in a cell without volume, one
-    // vertex alone is listed, with the weight 1: the nearest one. Throws Error when the cell does not exist.
+    // vertex alone is listed, with the weight 1: the nearest one, or the lowest id of several there. Throws Error when
+    // the cell does not exist.
     [[nodiscard]] VertexWeights weights_in(Index cell, const Vec3d& position) const;
 
     // Returns the vertex of the cell that is nearest to `position`. Throws Error when the cell does not exist.

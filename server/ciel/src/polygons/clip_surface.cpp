@@ -3,7 +3,9 @@
 #include "ciel/clip_polygon.hpp"
 #include "extraction/polygon.hpp"
 
+#include <algorithm>
 #include <map>
+#include <utility>
 
 namespace ciel {
 
@@ -54,8 +56,9 @@ private:
         out_.surface.polygon_cell.push_back(in_.surface.polygon_cell[i]);
     }
 
-    // Interpolates from the end that is nearer to the plane, since the rounding error of a far end may be larger than the
-    // distance of the near one. Both polygons of the side get the same bits.
+    // Interpolates from the end that is nearer to the plane, since the rounding error of a far end may be larger than
+    // the distance of the near one. The choice depends on the two vertices only, so that both polygons of the side get
+    // the same bits.
     Index crossing(Index from, Index to) {
         if (!keeps(from)) std::swap(from, to);
         const auto [known, is_new] =
