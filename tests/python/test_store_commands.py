@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -10,12 +11,15 @@ import time
 
 import numpy
 import pytest
+import vtk
 import zarr
 
 import box_dataset
 from import_support import NO_NEIGHBOUR
 from program import CIEL, ciel
-from stored_blocks import cells_of, faces_of
+from serve_process import Server
+from stored_blocks import cells_of, read_blocks
+from vtk_files import add_array, image, write
 
 
 def info(dataset):
@@ -99,7 +103,8 @@ def test_info_counts_what_zarr_reads(demo):
     mesh = zarr.open_group(str(demo), mode="r")["meshes/0"]
     told = info(demo)
     assert told["mesh"]["boundary_faces"] == (mesh["faces/neighbour"][:] == NO_NEIGHBOUR).sum()
-    faces = [face for _, kind, vertices in cells_of(demo / "meshes/0/blocks") for face in faces_of(kind, vertices)]
+    blocks = read_blocks(demo / "meshes/0/blocks")[2]
+    faces = [face for block in blocks for _, _, of_cell in cells_of(block) for face in of_cell]
     corners, end = numpy.concatenate(faces), numpy.cumsum([len(face) for face in faces])
     assert told["mesh"]["half_edges"] == len(corners)
     after = numpy.arange(1, len(corners) + 1)
@@ -244,3 +249,20 @@ def test_append_refuses(demo, tmp_path, arguments, error):
     result = ciel("append", demo, *[str(a).format(**files) for a in arguments])
     assert result.returncode in (1, 2) and error in result.stderr + result.stdout
     assert len(json.loads((demo / "steps.json").read_text())["steps"]) == 20
+
+
+def test_the_recipe_of_the_readme_appends_a_step_with_plain_zarr(tmp_path, monkeypatch):
+    grid = image(6)
+    values = numpy.arange(grid.GetNumberOfPoints(), dtype="f8")
+    add_array(grid.GetPointData(), "p", values)
+    write(vtk.vtkXMLImageDataWriter(), tmp_path / "a.vti", grid)
+    assert ciel("import", tmp_path / "a.vti", "-o", tmp_path / "run.ciel").returncode == 0
+    readme = (pathlib.Path(__file__).parents[2] / "server/store/README.md").read_text(encoding="utf-8")
+    recipe = re.search(r"```python\n(group = .*?)```", readme, re.DOTALL).group(1)
+    monkeypatch.chdir(tmp_path)
+    exec(recipe, {"zarr": zarr, "json": json, "os": os, "values": 7 * values})
+    with Server(tmp_path / "run.ciel") as running:
+        for vertex in (0, 17, 100):
+            scene = {"dataset": "run", "time": 1.5, "layers": {}}
+            answer = running.call("probe.point", scene=scene, position=list(grid.GetPoint(vertex)))
+            assert answer["vertex"] == vertex and answer["values"]["p"] == 7 * vertex

@@ -12,7 +12,7 @@ import vtk
 from import_support import imported
 from openfoam_files import N, write_case, write_decomposed
 from openfoam_rewriting import as_binary, compressed
-from stored_blocks import cells_of
+from stored_blocks import cells_of, read_blocks
 from test_import_cgns import CELL_CENTER, STRUCTURED, VERTEX, Writer, hexahedra
 from test_import_exodus import on_side, write_exodus
 from test_import_formats import CUBE, WRITTEN, multi_block, unstructured, write_ensight
@@ -29,9 +29,10 @@ def corner_points(dataset, mesh=0):
     m = dataset.mesh(mesh)
     original = m["original_vertex"][:]
     corners = [set() for _ in range(m["cell_types"].shape[0])]
-    for cell, _, vertices in cells_of(pathlib.Path(dataset.path) / f"meshes/{mesh}/blocks"):
-        if cell < MOST_CELLS:
-            corners[cell].update(original[np.concatenate(vertices)])
+    for block in read_blocks(pathlib.Path(dataset.path) / f"meshes/{mesh}/blocks")[2]:
+        if block.first_cell < MOST_CELLS:
+            for cell, _, faces in cells_of(block):
+                corners[cell].update(original[np.concatenate(faces)])
     return corners
 
 
