@@ -14,7 +14,7 @@ import pytest
 import vtk
 from import_support import ciel_info
 from program import CIEL, ciel
-from serve_process import PATIENCE, until
+from serve_process import PATIENCE, Server, until
 from test_import_late import write_pvd
 from vtk_files import add_array, hexahedra, linear, unstructured, write
 
@@ -153,6 +153,20 @@ def test_an_import_killed_after_its_end_says_that_the_dataset_is_complete(tmp_pa
     fake.write_text("#!/bin/sh\nkill -9 $$\n")
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 1 and "nothing was written" in done.stderr
+
+
+def test_a_server_serves_a_dataset_whose_import_was_killed_after_its_end(tmp_path, inputs):
+    program, fake = tmp_path / "ciel", tmp_path / "ciel-import"
+    shutil.copy(CIEL, program)
+    fake.write_text(f"""#!/bin/sh
+for argument; do case $argument in --output=*) out=${{argument#--output=}};; esac; done
+cp -r '{inputs}/three.ciel' "$out"
+kill -9 $$
+""")
+    fake.chmod(0o755)
+    with Server(inputs / "three/run.pvd", "--data-dir", tmp_path / "cache", program=program) as running:
+        (dataset,) = running.call("dataset.list")
+        assert dataset["problem"] == "" and running.call("dataset.describe", dataset=dataset["name"])["times"] == [0, 1, 2]
 
 
 @pytest.mark.parametrize("name", ["import", "append"])
