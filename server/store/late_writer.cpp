@@ -109,11 +109,11 @@ void LateWriter::end_step(std::size_t step) {
     const Step& at = dataset_->steps().at(step);
     for (const auto& [array, chunk] : dataset_->late_chunks(step))
         write_facts(array_directory(at.mesh, array), chunk, std::nullopt);
+    remove_left_beside(directory_); // temporary files of a killed process
     tell_readers();
 }
 
 void LateWriter::tell_readers() const {
-    remove_left_beside(directory_); // temporary files of a killed process
     std::random_device device;
     replace_file(directory_ / layout::late_changes, bytes_of(std::to_string(device()) + std::to_string(device())));
 }

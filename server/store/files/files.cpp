@@ -194,22 +194,30 @@ namespace {
 
 // Returns whether the path leads to the open file.
 bool is_named(const Descriptor& open, const std::filesystem::path& path) {
-    struct stat of_file {
-    }, of_path{};
+    struct stat of_file {};
+    struct stat of_path {};
     return ::fstat(open.get(), &of_file) == 0 && ::lstat(path.c_str(), &of_path) == 0 &&
            of_file.st_ino == of_path.st_ino && of_file.st_dev == of_path.st_dev;
+}
+
+// Waits for the lock. Without an effect on file systems without locks.
+void lock_file(const Descriptor& file) {
+    int result = 0;
+    do result = ::flock(file.get(), LOCK_EX);
+    while (result != 0 && errno == EINTR);
 }
 
 // Creates a file that remove_left_beside does not remove while it is open. A process id could not tell that its writer
 // runs: each container has its own ids.
 Descriptor create_locked(const std::filesystem::path& file) {
-    while (true) {
+    // Some file systems give a file another number at each look, so that no attempt would succeed.
+    constexpr int most_attempts = 100;
+    for (int attempt = 1;; ++attempt) {
         Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644));
         if (out.get() < 0) refuse_errno(file, "cannot be created");
-        while (::flock(out.get(), LOCK_EX) != 0 && errno == EINTR) {
-        } // other errors: a file system without locks
+        lock_file(out);
         // Before the lock, remove_left_beside may have removed the file, or another writer of this name renamed it.
-        if (!is_named(out, file)) continue;
+        if (!is_named(out, file) && attempt < most_attempts) continue;
         if (::ftruncate(out.get(), 0) != 0) refuse_errno(file, "cannot be written");
         return out;
     }
