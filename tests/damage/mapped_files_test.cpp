@@ -324,7 +324,7 @@ TEST(lost_files, lose_only_the_memory_pages_that_cannot_be_read) {
               "");
 }
 
-// Each memory page is a mapping of its own, and the system allows a process a limited number of them.
+// Each lost memory page is a mapping, of which the system allows a process 65,530.
 TEST(lost_files, are_lost_whole_after_many_memory_pages) {
     const Folder folder;
     EXPECT_EQ(in_child([&]() -> std::string {
